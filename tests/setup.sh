@@ -5,10 +5,10 @@
 set -eu
 
 missing=
+# shellcheck disable=SC2086  # $wanted may be a pattern, to be expanded
 for pair in "$@"; do
     wanted=${pair%%=*}
     case $wanted in
-    # shellcheck disable=SC2086  # a pattern, to be expanded
     /*) ls -d $wanted >/dev/null 2>&1 || missing="$missing ${pair#*=}" ;;
     *) command -v "$wanted" >/dev/null 2>&1 || missing="$missing ${pair#*=}" ;;
     esac

@@ -1,0 +1,7 @@
+// EXPECT: a global constructor is linked in
+struct counter {
+    counter() noexcept { asm volatile(""); }
+};
+counter global;
+
+int main() {}
