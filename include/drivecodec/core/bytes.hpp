@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace drivecodec {
+
+/// Bytes as they are on the wire; never owned by the library.
+using bytes         = std::span<std::uint8_t const>;
+using mutable_bytes = std::span<std::uint8_t>;
+
+//=== wire fields ===//
+// A message layout is a list of these: where a field lies and how it is stored, stated once and
+// used by check, read and write alike.
+
+/// One byte at `Offset`.
+template <std::size_t Offset>
+struct u8_at {
+    static constexpr std::size_t begin = Offset;
+    static constexpr std::size_t end   = Offset + 1;
+
+    /// Precondition: from.size() >= end.
+    [[nodiscard]] static constexpr std::uint8_t load(bytes from) noexcept { return from.data()[Offset]; }
+
+    /// Precondition: to.size() >= end.
+    static constexpr void store(mutable_bytes to, std::uint8_t field) noexcept { to.data()[Offset] = field; }
+};
+
+/// Two bytes at `Offset`, most significant first.
+template <std::size_t Offset>
+struct be16_at {
+    static constexpr std::size_t begin = Offset;
+    static constexpr std::size_t end   = Offset + 2;
+
+    /// Precondition: from.size() >= end.
+    [[nodiscard]] static constexpr std::uint16_t load(bytes from) noexcept
+    {
+        return static_cast<std::uint16_t>((from.data()[Offset] << 8) | from.data()[Offset + 1]);
+    }
+
+    /// Precondition: to.size() >= end.
+    static constexpr void store(mutable_bytes to, std::uint16_t field) noexcept
+    {
+        to.data()[Offset]     = static_cast<std::uint8_t>(field >> 8);
+        to.data()[Offset + 1] = static_cast<std::uint8_t>(field);
+    }
+};
+
+//=== helpers ===//
+
+/// Copies all of `from` to the front of `to`. Precondition: to.size() >= from.size(), no overlap.
+constexpr void copy_bytes(bytes from, mutable_bytes to) noexcept
+{
+    auto* out = to.data();
+    for (auto const byte : from) { *out++ = byte; }
+}
+
+/// Do `a` and `b` hold the same bytes?
+[[nodiscard]] constexpr bool same_bytes(bytes a, bytes b) noexcept
+{
+    if (a.size() != b.size()) { return false; }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a.data()[i] != b.data()[i]) { return false; }
+    }
+    return true;
+}
+
+/// An owning container as a temporary: what borrows its bytes would outlive them.
+template <typename T>
+concept owning_temporary = not std::is_lvalue_reference_v<T>
+                           and not std::ranges::enable_borrowed_range<std::remove_cvref_t<T>>;
+
+}  // namespace drivecodec

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace drivecodec {
+
+/// Why bytes were refused. Every enumerator says what the bytes did, not what the code did.
+enum class errc : std::uint8_t {
+    none = 0,
+    truncated,             ///< The message is longer than the bytes given; `offset` is the least total length it needs.
+    trailing_bytes,        ///< The message ends at `offset`, before the bytes do.
+    bad_checksum,          ///< CRC or BCC does not match the bytes it covers.
+    bad_length,            ///< A length or byte count contradicts the other fields, or the bytes that follow it.
+    bad_quantity,          ///< A quantity is outside the limits of its function.
+    bad_value,             ///< A field holds a value that the protocol does not allow.
+    bad_address,           ///< An address does not exist, or the range that starts there passes the last one.
+    reserved_address,      ///< A server address that the protocol reserves: 248 to 255.
+    unexpected_function,   ///< A well-formed message, but not the one asked for.
+    unsupported_function,  ///< A function (or its sub-function, or MEI type) that is not in the set.
+    unexpected_server,     ///< A reply of another server than the one asked.
+    unexpected_reply,      ///< A reply that does not answer this request: the field at `offset` differs.
+    exception_reply,       ///< The server answered with an exception.
+    no_reply,              ///< To this request there is no reply: a broadcast, or a command to be silent.
+    no_space,              ///< The output buffer is too small; nothing was written. `offset` is the size needed.
+};
+
+/// What went wrong, and at which byte of those the user gave.
+///
+/// No text: the caller still holds the input, so the offending byte is `input[error.offset]`. Words are in
+/// <drivecodec/text/core.hpp>, which firmware may leave out. As the result of a check, `errc::none` means that
+/// nothing is wrong. For `truncated` and `no_space`, `offset` is a size: see there.
+struct error {
+    errc          code   = errc::none;
+    std::uint16_t offset = 0;
+
+    constexpr error() noexcept = default;
+    constexpr error(errc what, std::size_t where) noexcept : code{what}, offset{static_cast<std::uint16_t>(where)} {}
+
+    [[nodiscard]] constexpr bool ok() const noexcept { return code == errc::none; }
+
+    /// The same error, seen from an outer layer in which these bytes begin at `base`.
+    [[nodiscard]] constexpr error moved_by(std::size_t base) const noexcept
+    {
+        return ok() ? error{} : error{code, offset + base};
+    }
+
+    friend constexpr bool operator==(error, error) noexcept = default;
+};
+
+}  // namespace drivecodec

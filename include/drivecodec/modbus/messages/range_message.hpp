@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/modbus/address_range.hpp>
+#include <drivecodec/modbus/message.hpp>
+
+namespace drivecodec::modbus {
+
+namespace layout::range_message {  // | function | first hi lo | count hi lo |
+inline constexpr be16_at<1> first{};
+inline constexpr be16_at<3> count{};
+}  // namespace layout::range_message
+
+/// A function code and a range of addresses: the requests 01 to 04, the responses 15 and 16.
+template <typename Function, typename Range>
+struct range_message {
+    using function = Function;
+
+    Range range;
+
+    [[nodiscard]] static constexpr std::size_t    wire_size() noexcept { return layout::range_message::count.end; }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
+
+    [[nodiscard]] static constexpr error check(bytes pdu) noexcept
+    {
+        namespace at = layout::range_message;
+        if (auto const fault = check_head(pdu, Function::code, wire_size(), wire_size()); not fault.ok()) { return fault; }
+        auto const fault = Range::check(at::first.load(pdu), at::count.load(pdu));
+        return fault.ok() ? check_size(pdu, wire_size()) : fault.moved_by(at::first.begin);
+    }
+
+    [[nodiscard]] static constexpr range_message read(bytes pdu) noexcept
+    {
+        namespace at = layout::range_message;
+        return {.range = Range::from_checked(at::first.load(pdu), at::count.load(pdu))};
+    }
+
+    constexpr void write(mutable_bytes out) const noexcept
+    {
+        namespace at = layout::range_message;
+        layout::function.store(out, to_byte(Function::code));
+        at::first.store(out, range.first());
+        at::count.store(out, range.count());
+    }
+
+    /// As a request: does the response hold as many values as this asked for?
+    template <typename Response>
+        requires requires(Response const& given) { given.values; }
+    [[nodiscard]] constexpr error matches(Response const& given) const noexcept
+    {
+        return expect_equal(given.values.wire_size() == Range::addressed::wire_size(range.count()),
+                            Response::byte_count_offset);
+    }
+
+    friend constexpr bool operator==(range_message const&, range_message const&) noexcept = default;
+};
+
+}  // namespace drivecodec::modbus
