@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/modbus/message.hpp>
+
+namespace drivecodec::modbus {
+
+/// Objects of the device identification that the specification names; the others are the device's.
+/// MODBUS Application Protocol V1.1b3, 6.21.
+enum class device_object_id : std::uint8_t {
+    vendor_name           = 0x00,
+    product_code          = 0x01,
+    major_minor_revision  = 0x02,
+    vendor_url            = 0x03,
+    product_name          = 0x04,
+    model_name            = 0x05,
+    user_application_name = 0x06,
+};
+
+namespace layout::device_object {  // | object id | length | value ...
+inline constexpr u8_at<0>    id{};
+inline constexpr u8_at<1>    length{};
+inline constexpr std::size_t value = length.end;
+}  // namespace layout::device_object
+
+/// One object of the identification: an ASCII text for the standard ones, else what the device defines.
+struct device_object {
+    device_object_id id;
+    bytes            value;  ///< At most 255 bytes fit its length, and 244 a response.
+
+    [[nodiscard]] constexpr std::size_t wire_size() const noexcept { return layout::device_object::value + value.size(); }
+
+    [[nodiscard]] static constexpr message_length length(bytes wire) noexcept
+    {
+        namespace at = layout::device_object;
+        if (wire.size() < at::value) { return message_length::at_least(at::value); }
+        return message_length::exactly(at::value + at::length.load(wire));
+    }
+
+    [[nodiscard]] static constexpr error check(bytes wire) noexcept { return check_size(wire, length(wire).size()); }
+
+    [[nodiscard]] static constexpr device_object read(bytes wire) noexcept
+    {
+        namespace at = layout::device_object;
+        return {.id = static_cast<device_object_id>(at::id.load(wire)), .value = wire.subspan(at::value)};
+    }
+
+    constexpr void write(mutable_bytes out) const noexcept
+    {
+        namespace at = layout::device_object;
+        at::id.store(out, static_cast<std::uint8_t>(id));
+        at::length.store(out, static_cast<std::uint8_t>(value.size()));
+        copy_bytes(value, out.subspan(at::value));
+    }
+
+    friend constexpr bool operator==(device_object const& a, device_object const& b) noexcept
+    {
+        return a.id == b.id and same_bytes(a.value, b.value);
+    }
+};
+
+}  // namespace drivecodec::modbus

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/modbus/encapsulated_interface.hpp>
+#include <drivecodec/modbus/exception.hpp>
+
+namespace drivecodec::modbus {
+
+namespace detail {
+
+/// Functions that share code 43 tell themselves apart by their `mei`.
+template <typename F>
+concept has_mei = requires { F::mei; };
+
+/// Code and, if there is one, MEI type: what makes two functions the same.
+template <typename F>
+[[nodiscard]] consteval int function_key()
+{
+    if constexpr (has_mei<F>) {
+        return 0x1'0000 | (to_byte(F::code) << 8) | static_cast<int>(F::mei);
+    } else {
+        return to_byte(F::code);
+    }
+}
+
+template <typename F, typename... Others>
+[[nodiscard]] consteval bool is_unique()
+{
+    return ((function_key<F>() != function_key<Others>()) and ...);
+}
+
+template <typename... Functions>
+struct all_unique;
+template <>
+struct all_unique<> {
+    static constexpr bool holds = true;
+};
+template <typename First, typename... Rest>
+struct all_unique<First, Rest...> {
+    static constexpr bool holds = is_unique<First, Rest...>() and all_unique<Rest...>::holds;
+};
+
+}  // namespace detail
+
+/// The one list of functions from which come the dispatch of requests and responses, the lengths that a stream reader
+/// predicts, names, and a server's answer to what it does not serve. A user's own function joins like a public one.
+template <function... Functions>
+struct function_set {
+    static_assert(detail::all_unique<Functions...>::holds, "a function_set holds each function once");
+
+    template <function... More>
+    using with = function_set<Functions..., More...>;
+
+    //=== what a PDU is ===//
+
+    /// The name of the function in `pdu`, of a request, a response or an exception; nullptr if it is not in the set.
+    [[nodiscard]] static constexpr char const* name(bytes pdu) noexcept
+    {
+        char const* found = nullptr;
+        static_cast<void>(((is<Functions>(pdu) and (found = Functions::name) != nullptr) or ...));
+        return found;
+    }
+
+    /// The length of the request that begins with `pdu`. A function that is not in the set ends with silence.
+    [[nodiscard]] static constexpr message_length request_length(bytes pdu) noexcept
+    {
+        if (exception_response::is_exception(pdu)) { return message_length::impossible(); }
+        return length<direction::request>(pdu);
+    }
+
+    /// The length of the response that begins with `pdu`. Of a refusal of function 43 this is the short form's.
+    [[nodiscard]] static constexpr message_length response_length(bytes pdu) noexcept
+    {
+        if (exception_response::is_exception(pdu)) { return message_length::exactly(exception_response::wire_size()); }
+        return length<direction::response>(pdu);
+    }
+
+    /// Will there be a reply to this request? Also true for what is not a valid request: that gets an exception.
+    [[nodiscard]] static constexpr bool expects_reply(bytes pdu) noexcept
+    {
+        auto const answer = visit_request<bool>(pdu, [](auto const& asked) { return modbus::expects_reply(asked); });
+        return answer.value_or(true);
+    }
+
+    //=== dispatch ===//
+
+    /// Decodes the request in `pdu` and calls `visitor` with it, as its own type; gives what the visitor answers.
+    ///
+    /// The visitor's overload set is the feature list: what it has no overload for is `unsupported_function`, and none
+    /// of that function's code is compiled. Other errors are those of the request's `check`.
+    template <typename Answer, typename Visitor>
+    [[nodiscard]] static constexpr result<Answer> visit_request(bytes pdu, Visitor&& visitor) noexcept
+    {
+        if (pdu.empty()) { return error{errc::truncated, 1}; }
+        result<Answer> answer{error{errc::unsupported_function, layout::function.begin}};
+        static_cast<void>((visit_if<typename Functions::request>(pdu, is<Functions>(pdu), visitor, answer) or ...));
+        return answer;
+    }
+
+    /// The same for a response; an exception comes as `exception_response`.
+    template <typename Answer, typename Visitor>
+    [[nodiscard]] static constexpr result<Answer> visit_response(bytes pdu, Visitor&& visitor) noexcept
+    {
+        if (pdu.empty()) { return error{errc::truncated, 1}; }
+        result<Answer> answer{error{errc::unsupported_function, layout::function.begin}};
+        if (exception_response::is_exception(pdu)) {
+            static_cast<void>(visit_if<exception_response>(pdu, true, visitor, answer));
+        } else {
+            static_cast<void>((visit_if<typename Functions::response>(pdu, is<Functions>(pdu), visitor, answer) or ...));
+        }
+        return answer;
+    }
+
+private:
+    template <typename F>
+    [[nodiscard]] static constexpr bool is(bytes pdu) noexcept
+    {
+        if (pdu.empty() or (layout::function.load(pdu) & ~exception_bit) != to_byte(F::code)) { return false; }
+        if constexpr (detail::has_mei<F>) {
+            namespace at = layout::encapsulated_interface;
+            return pdu.size() >= at::data and at::type.load(pdu) == static_cast<std::uint8_t>(F::mei);
+        }
+        return true;
+    }
+
+    template <direction Direction>
+    [[nodiscard]] static constexpr message_length length(bytes pdu) noexcept
+    {
+        if (pdu.empty()) { return message_length::at_least(1); }
+        auto found = message_length::until_silence();
+        static_cast<void>((length_if<Functions, Direction>(pdu, found) or ...));
+        return found;
+    }
+
+    template <typename F, direction Direction>
+    [[nodiscard]] static constexpr bool length_if(bytes pdu, message_length& found) noexcept
+    {
+        if (layout::function.load(pdu) != to_byte(F::code)) { return false; }
+        if constexpr (detail::has_mei<F>) {
+            if (pdu.size() < layout::encapsulated_interface::data) {
+                found = message_length::at_least(layout::encapsulated_interface::data);
+                return true;
+            }
+            if (not is<F>(pdu)) { return false; }
+        }
+        if constexpr (Direction == direction::request) {
+            found = F::request::length(pdu);
+        } else {
+            found = F::response::length(pdu);
+        }
+        return true;
+    }
+
+    template <typename Message, typename Visitor, typename Answer>
+    static constexpr bool visit_if(bytes pdu, bool is_it, Visitor& visitor, result<Answer>& answer) noexcept
+    {
+        if constexpr (std::is_invocable_v<Visitor&, Message const&>) {
+            if (not is_it) { return false; }
+            if (auto const fault = Message::check(pdu); not fault.ok()) {
+                answer = fault;
+            } else {
+                answer = Answer(visitor(Message::read(pdu)));
+            }
+            return true;
+        } else {
+            return false;
+        }
+    }
+};
+
+}  // namespace drivecodec::modbus
