@@ -5,17 +5,14 @@
 
 #include <type_traits>
 
+// A block is a polynomial of degree 127 in a vector register, as the line brings it: bit 0 of the first byte is the
+// coefficient of x^127. `times` gives low half * low factor + high half * high factor.
 #if defined(__PCLMUL__)
+
 #include <wmmintrin.h>
-#elif defined(__aarch64__) && defined(__ARM_FEATURE_AES) && not defined(__AARCH64EB__)
-#include <arm_neon.h>
-#endif
 
 namespace drivecodec::modbus::crc16 {
 
-// A polynomial of degree 127 in a vector register, as the line brings it: bit 0 of the first byte is the coefficient of
-// x^127. `times` gives low half * low factor + high half * high factor.
-#if defined(__PCLMUL__)
 struct x86_block {
     __m128i bits;
 
@@ -23,8 +20,10 @@ struct x86_block {
     {
         return {_mm_loadu_si128(static_cast<__m128i const*>(static_cast<void const*>(from)))};
     }
-    void store(std::uint8_t* to) const noexcept { _mm_storeu_si128(static_cast<__m128i*>(static_cast<void*>(to)), bits); }
-
+    void store(std::uint8_t* to) const noexcept
+    {
+        _mm_storeu_si128(static_cast<__m128i*>(static_cast<void*>(to)), bits);
+    }
     [[nodiscard]] static x86_block make(std::uint64_t low, std::uint64_t high) noexcept
     {
         return {_mm_set_epi64x(static_cast<long long>(high), static_cast<long long>(low))};
@@ -36,14 +35,25 @@ struct x86_block {
                               _mm_clmulepi64_si128(bits, factors.bits, 0x11))};
     }
 };
+
 using native_block = x86_block;
-#elif defined(__aarch64__) && defined(__ARM_FEATURE_AES) && not defined(__AARCH64EB__)
+
+}  // namespace drivecodec::modbus::crc16
+
+#elif defined(__aarch64__) && defined(__ARM_FEATURE_AES) && !defined(__AARCH64EB__)
+
+#include <arm_neon.h>
+
+namespace drivecodec::modbus::crc16 {
+
 struct arm_block {
     uint64x2_t bits;
 
-    [[nodiscard]] static arm_block load(std::uint8_t const* from) noexcept { return {vreinterpretq_u64_u8(vld1q_u8(from))}; }
+    [[nodiscard]] static arm_block load(std::uint8_t const* from) noexcept
+    {
+        return {vreinterpretq_u64_u8(vld1q_u8(from))};
+    }
     void store(std::uint8_t* to) const noexcept { vst1q_u8(to, vreinterpretq_u8_u64(bits)); }
-
     [[nodiscard]] static arm_block make(std::uint64_t low, std::uint64_t high) noexcept
     {
         return {vcombine_u64(vcreate_u64(low), vcreate_u64(high))};
@@ -51,21 +61,34 @@ struct arm_block {
     [[nodiscard]] arm_block plus(arm_block other) const noexcept { return {veorq_u64(bits, other.bits)}; }
     [[nodiscard]] arm_block times(arm_block factors) const noexcept
     {
-        auto const a    = vreinterpretq_p64_u64(bits);
-        auto const b    = vreinterpretq_p64_u64(factors.bits);
-        auto const low  = vmull_p64(vgetq_lane_p64(a, 0), vgetq_lane_p64(b, 0));
-        auto const high = vmull_high_p64(a, b);
+        auto const ours   = vreinterpretq_p64_u64(bits);
+        auto const theirs = vreinterpretq_p64_u64(factors.bits);
+        auto const low    = vmull_p64(vgetq_lane_p64(ours, 0), vgetq_lane_p64(theirs, 0));
+        auto const high   = vmull_high_p64(ours, theirs);
         return {veorq_u64(vreinterpretq_u64_p128(low), vreinterpretq_u64_p128(high))};
     }
 };
+
 using native_block = arm_block;
+
+}  // namespace drivecodec::modbus::crc16
+
 #else
+
+namespace drivecodec::modbus::crc16 {
+
 struct no_block {};
+
 using native_block = no_block;
+
+}  // namespace drivecodec::modbus::crc16
+
 #endif
 
-/// Sixteen bytes at a time with a carry-less multiply, four of them at once, where the compiler's target has one: x86 with
-/// PCLMUL, 64-bit ARM with AES. Elsewhere, in constant evaluation and for the last bytes it is `slices`
+namespace drivecodec::modbus::crc16 {
+
+/// Sixteen bytes at a time with a carry-less multiply, four of them at once, where the compiler's target has one: x86
+/// with PCLMUL, 64-bit ARM with AES. Elsewhere, in constant evaluation and for the last bytes it is `slices`
 /// (V. Gopal et al.: "Fast CRC Computation for Generic Polynomials Using PCLMULQDQ Instruction", 2009).
 ///
 /// What the target has is part of the type, so that units compiled for different targets do not mix.

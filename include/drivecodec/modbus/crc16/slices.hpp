@@ -22,8 +22,8 @@ namespace drivecodec::modbus::crc16 {
 
 inline constexpr std::array<std::array<std::uint16_t, 256>, 8> slice_entries = make_slice_entries();
 
-/// Eight bytes at a time, with tables of 4 KiB: for machines with a cache. The look-ups of one slice do not wait for each
-/// other (M. Kounavis, F. Berry: "Novel Table Lookup-Based Algorithms for High-Performance CRC Generation", 2008).
+/// Eight bytes at a time, with tables of 4 KiB: for machines with a cache. The look-ups of one slice do not wait for
+/// each other (M. Kounavis, F. Berry: "Novel Table Lookup-Based Algorithms for High-Performance CRC Generation", 2008).
 ///
 /// Reads byte by byte: neither alignment nor the machine's byte order matters.
 class slices {

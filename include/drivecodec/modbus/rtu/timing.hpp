@@ -54,7 +54,8 @@ public:
     }
 
     /// Of a baud rate known only at run time. Errors: `bad_value` at 0 for a baud rate of zero.
-    [[nodiscard]] static constexpr result<timing> make(std::uint32_t baud, character_format format = format_8e1) noexcept
+    [[nodiscard]] static constexpr result<timing> make(std::uint32_t    baud,
+                                                       character_format format = format_8e1) noexcept
     {
         if (baud == 0) { return error{errc::bad_value, 0}; }
         return timing{baud, format};
@@ -86,10 +87,10 @@ private:
     {}
 
     /// Below 2^32 for the longest frame of the longest characters at one baud: 256 * 12 * 10^6 = 3,072,000,000.
-    [[nodiscard]] static constexpr std::uint32_t microseconds(std::uint32_t bits, std::uint32_t bits_per_second) noexcept
+    [[nodiscard]] static constexpr std::uint32_t microseconds(std::uint32_t bits, std::uint32_t per_second) noexcept
     {
         auto const scaled = bits * 1'000'000;
-        return scaled / bits_per_second + (scaled % bits_per_second != 0 ? 1 : 0);
+        return scaled / per_second + (scaled % per_second != 0 ? 1 : 0);
     }
 
     std::uint32_t baud_;
