@@ -22,10 +22,10 @@ inline constexpr std::uint16_t residue = 0;
 /// | algorithm    | table | time | for                                                                            |
 /// |--------------|-------|------|--------------------------------------------------------------------------------|
 /// | `bitwise`    | none  |  100 | the smallest code; the default of firmware                                     |
-/// | `nibble`     | 32 B  |   55 | firmware on a fast line                                                        |
-/// | `byte_table` | 512 B |   29 | firmware with flash to spare                                                   |
+/// | `nibble`     | 32 B  |   59 | firmware on a fast line                                                        |
+/// | `byte_table` | 512 B |   31 | firmware with flash to spare                                                   |
 /// | `slices`     | 4 KiB |    5 | machines with a cache; the default of hosts                                    |
-/// | `carryless`  | 4 KiB |  1.7 | hosts whose target has a carry-less multiply (-mpclmul, -march=armv8-a+crypto) |
+/// | `carryless`  | 4 KiB |    1 | hosts whose target has a carry-less multiply (-mpclmul, -march=armv8-a+crypto) |
 ///
 /// Times are those of 256 bytes on one x86-64 (bench/modbus/crc16.cpp), in percent. `bitwise` and `slices` come with
 /// this header; the others have theirs in <drivecodec/modbus/crc16/>. A table is linked only into what uses it. An
