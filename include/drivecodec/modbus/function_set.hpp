@@ -78,8 +78,7 @@ struct function_set {
     /// Will there be a reply to this request? Also true for what is not a valid request: that gets an exception.
     [[nodiscard]] static constexpr bool expects_reply(bytes pdu) noexcept
     {
-        auto const answer = visit_request<bool>(pdu, [](auto const& asked) { return modbus::expects_reply(asked); });
-        return answer.value_or(true);
+        return (expects_reply_of<Functions>(pdu) and ...);
     }
 
     //=== dispatch ===//
@@ -121,6 +120,16 @@ private:
             return pdu.size() >= at::data and at::type.load(pdu) == static_cast<std::uint8_t>(F::mei);
         }
         return true;
+    }
+
+    template <typename F>
+    [[nodiscard]] static constexpr bool expects_reply_of(bytes pdu) noexcept
+    {
+        if constexpr (requires { F::expects_reply(pdu); }) {
+            return not is<F>(pdu) or F::expects_reply(pdu);
+        } else {
+            return true;
+        }
     }
 
     template <direction Direction>

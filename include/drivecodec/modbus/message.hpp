@@ -43,7 +43,8 @@ template <typename F>
     }
 }
 
-/// Does this request get a reply at all? A request that may not says so by a member `expects_reply`.
+/// Does this request get a reply at all? A request that may not says so by a member `expects_reply()`, and its function
+/// by a static one that takes the PDU.
 template <message Request>
 [[nodiscard]] constexpr bool expects_reply(Request const& asked) noexcept
 {

@@ -60,6 +60,17 @@ struct diagnostics {
                or sub == clear_counters_and_diagnostic_register or sub == clear_overrun_counter_and_flag;
     }
 
+    /// No server answers Force Listen Only Mode.
+    [[nodiscard]] static constexpr bool expects_reply(diagnostic sub) noexcept
+    {
+        return sub != diagnostic::force_listen_only_mode;
+    }
+    [[nodiscard]] static constexpr bool expects_reply(bytes pdu) noexcept
+    {
+        namespace at = layout::diagnostics;
+        return pdu.size() < at::data or expects_reply(static_cast<diagnostic>(at::sub_function.load(pdu)));
+    }
+
     /// May this data accompany the sub-function in this direction?
     template <direction Direction, typename Values>
     [[nodiscard]] static constexpr bool allows(diagnostic sub, Values const& data) noexcept
@@ -162,11 +173,10 @@ public:
 
     //=== of a request ===//
 
-    /// False for Force Listen Only Mode, which no server answers.
     [[nodiscard]] constexpr bool expects_reply() const noexcept
         requires(Direction == direction::request)
     {
-        return sub_function_ != diagnostic::force_listen_only_mode;
+        return diagnostics::expects_reply(sub_function_);
     }
 
     /// The response that repeats this request.

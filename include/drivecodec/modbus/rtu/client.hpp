@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/modbus/client.hpp>
+#include <drivecodec/modbus/rtu/adu.hpp>
+
+// The client's side of the line.
+
+namespace drivecodec::modbus::rtu {
+
+/// Will a server answer this? None answers a broadcast.
+template <message Request>
+[[nodiscard]] constexpr bool expects_reply(server_address address, Request const& asked) noexcept
+{
+    return not address.is_broadcast() and modbus::expects_reply(asked);
+}
+
+/// The response in the frame `adu`, if it is the reply of the server `address` to `asked`; a stale or foreign reply is not.
+///
+/// Errors, with offsets in `adu`: `no_reply` to a broadcast; `truncated`, `bad_checksum`; `unexpected_server`; those of
+/// `check_reply`. Views inside the response point into `adu`.
+template <crc16::algorithm Crc = crc16::by_default, message Request>
+[[nodiscard]] constexpr reply<Request> check(server_address address, Request const& asked, bytes adu) noexcept
+{
+    using response = typename Request::function::response;
+
+    if (not expects_reply(address, asked)) { return reply_error{error{errc::no_reply, 0}}; }
+    if (adu.size() < min_adu_size) { return reply_error{error{errc::truncated, min_adu_size}}; }
+    if (adu.size() > max_adu_size) { return reply_error{error{errc::trailing_bytes, max_adu_size}}; }
+    if (not has_valid_crc<Crc>(adu)) {
+        auto const fault = rtu::adu<response, Crc>::check(adu);
+        return reply_error{fault.code == errc::truncated ? fault
+                                                         : error{errc::bad_checksum, adu.size() - layout::adu::crc_size}};
+    }
+    if (layout::adu::address.load(adu) != address.byte()) {
+        return reply_error{error{errc::unexpected_server, layout::adu::address.begin}};
+    }
+    auto const answered = check_reply(asked, pdu_of(adu));
+    if (answered) { return answered; }
+    return answered.error().moved_by(answered.error().code == errc::truncated ? layout::adu::around : layout::adu::pdu);
+}
+
+/// Refused: a response that borrows its bytes would outlive them. Name the buffer first.
+template <crc16::algorithm Crc = crc16::by_default, message Request, owning_temporary Temporary>
+reply<Request> check(server_address, Request const&, Temporary&&) = delete;
+
+/// What follows one's own request, for adapters on which one hears oneself.
+///
+/// Errors: `truncated` while the echo is not complete; `unexpected_reply` at the first byte that is not the echo's: a
+/// collision, or an adapter without an echo.
+[[nodiscard]] constexpr result<bytes> skip_echo(bytes sent, bytes received) noexcept
+{
+    for (std::size_t i = 0; i < sent.size() and i < received.size(); ++i) {
+        if (sent[i] != received[i]) { return error{errc::unexpected_reply, i}; }
+    }
+    if (received.size() < sent.size()) { return error{errc::truncated, sent.size()}; }
+    return received.subspan(sent.size());
+}
+
+}  // namespace drivecodec::modbus::rtu
