@@ -38,8 +38,9 @@ public:
 private:
     enum class kind : std::uint8_t { none, exact, open, silence };
 
+    // Longer than every message stays longer than every message.
     constexpr message_length(kind what, std::size_t size) noexcept
-        : size_{static_cast<std::uint16_t>(size)}, kind_{what}
+        : size_{static_cast<std::uint16_t>(size < 0xFFFF ? size : 0xFFFF)}, kind_{what}
     {}
 
     std::uint16_t size_;

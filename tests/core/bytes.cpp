@@ -1,0 +1,91 @@
+#include <drivecodec/core/bytes.hpp>
+
+#include "support/hex.hpp"
+#include "support/verify.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace drivecodec;
+
+//=== wire fields ===//
+
+TEST(wire_field, knows_where_it_begins_and_ends)
+{
+    VERIFY(u8_at<0>::begin == 0 and u8_at<0>::end == 1);
+    VERIFY(u8_at<7>::begin == 7 and u8_at<7>::end == 8);
+    VERIFY(be16_at<0>::begin == 0 and be16_at<0>::end == 2);
+    VERIFY(be16_at<3>::begin == 3 and be16_at<3>::end == 5);
+}
+
+TEST(wire_field, is_loaded_from_its_place)
+{
+    VERIFY(u8_at<0>::load("12 34 56"_hex) == 0x12);
+    VERIFY(u8_at<2>::load("12 34 56"_hex) == 0x56);
+    VERIFY(be16_at<0>::load("12 34 56"_hex) == 0x1234);
+    VERIFY(be16_at<1>::load("12 34 56"_hex) == 0x3456);
+    VERIFY(be16_at<0>::load("FF FE"_hex) == 0xFFFE);
+}
+
+TEST(wire_field, is_stored_at_its_place_and_nowhere_else)
+{
+    constexpr auto stored = [] {
+        std::array<std::uint8_t, 5> wire{0xEE, 0xEE, 0xEE, 0xEE, 0xEE};
+        be16_at<1>::store(wire, 0x1234);
+        u8_at<4>::store(wire, 0x56);
+        return wire;
+    };
+    VERIFY(stored() == "EE 12 34 EE 56"_hex);
+}
+
+TEST(wire_field, survives_storing_and_loading_with_every_value)
+{
+    std::array<std::uint8_t, 4> wire{};
+    for (unsigned value = 0; value <= 0xFFFF; ++value) {
+        auto const word = static_cast<std::uint16_t>(value);
+        be16_at<1>::store(wire, word);
+        ASSERT_EQ(be16_at<1>::load(wire), word);
+        ASSERT_EQ(wire[1] * 256 + wire[2], word);
+        ASSERT_EQ(wire[0] + wire[3], 0);
+    }
+}
+
+//=== helpers ===//
+
+TEST(copy_bytes, copies_to_the_front_and_leaves_the_rest)
+{
+    constexpr auto copied = [] {
+        std::array<std::uint8_t, 4> to{0xEE, 0xEE, 0xEE, 0xEE};
+        copy_bytes("01 02 03"_hex, to);
+        copy_bytes({}, to);
+        return to;
+    };
+    VERIFY(copied() == "01 02 03 EE"_hex);
+}
+
+TEST(same_bytes, compares_sizes_and_contents)
+{
+    VERIFY(same_bytes({}, {}));
+    VERIFY(same_bytes("01 02"_hex, "01 02"_hex));
+    VERIFY(not same_bytes("01 02"_hex, "01 03"_hex));
+    VERIFY(not same_bytes("01 02"_hex, "00 02"_hex));
+    VERIFY(not same_bytes("01 02"_hex, "01 02 03"_hex));
+    VERIFY(not same_bytes("01"_hex, {}));
+}
+
+TEST(owning_temporary, is_a_container_about_to_die)
+{
+    using array = std::array<std::uint8_t, 3>;
+    VERIFY(owning_temporary<array>);
+    VERIFY(owning_temporary<array const>);
+    VERIFY(owning_temporary<std::vector<std::uint8_t>>);
+    VERIFY(not owning_temporary<array&>);
+    VERIFY(not owning_temporary<array const&>);
+    VERIFY(not owning_temporary<bytes>);
+    VERIFY(not owning_temporary<mutable_bytes const>);
+}
+
+}  // namespace

@@ -1,0 +1,69 @@
+#include <drivecodec/core/table.hpp>
+
+#include "support/verify.hpp"
+
+#include <string_view>
+
+namespace {
+
+using drivecodec::find_row;
+using drivecodec::strictly_ascending;
+
+struct row {
+    int              number;
+    std::string_view name;
+};
+
+constexpr std::array<row, 5> rows{{{-3, "a"}, {0, "b"}, {1, "c"}, {7, "d"}, {100, "e"}}};
+constexpr std::array<row, 0> none{};
+
+TEST(strictly_ascending, wants_every_key_above_the_one_before)
+{
+    VERIFY(strictly_ascending(rows, &row::number));
+    VERIFY(strictly_ascending(rows, &row::name));
+    VERIFY(strictly_ascending(none, &row::number));
+    VERIFY(strictly_ascending(std::array<row, 1>{{{5, "a"}}}, &row::number));
+    VERIFY(not strictly_ascending(std::array<row, 2>{{{5, "a"}, {5, "b"}}}, &row::number));
+    VERIFY(not strictly_ascending(std::array<row, 3>{{{1, "a"}, {3, "b"}, {2, "c"}}}, &row::number));
+}
+
+TEST(find_row, finds_every_row)
+{
+    VERIFY(find_row(rows, &row::number, -3)->name == "a");
+    VERIFY(find_row(rows, &row::number, 100)->name == "e");
+    VERIFY(find_row(rows, &row::name, std::string_view{"d"})->number == 7);
+    for (auto const& expected : rows) { EXPECT_EQ(find_row(rows, &row::number, expected.number), &expected); }
+}
+
+TEST(find_row, finds_nothing_between_below_and_above)
+{
+    for (auto const missing : {-1000, -4, -2, -1, 2, 6, 8, 99, 101, 1000}) {
+        EXPECT_EQ(find_row(rows, &row::number, missing), nullptr) << missing;
+    }
+    VERIFY(find_row(rows, &row::number, 2) == nullptr);
+    VERIFY(find_row(none, &row::number, 0) == nullptr);
+}
+
+template <std::size_t N>
+void expect_found_in_a_table_of()
+{
+    std::array<row, N> made{};
+    for (std::size_t i = 0; i < N; ++i) { made[i].number = static_cast<int>(2 * i); }
+    for (std::size_t i = 0; i < N; ++i) {
+        EXPECT_EQ(find_row(made, &row::number, static_cast<int>(2 * i)), &made[i]);
+        EXPECT_EQ(find_row(made, &row::number, static_cast<int>(2 * i) + 1), nullptr);
+    }
+    EXPECT_EQ(find_row(made, &row::number, -1), nullptr);
+}
+
+TEST(find_row, works_for_every_size)
+{
+    expect_found_in_a_table_of<1>();
+    expect_found_in_a_table_of<2>();
+    expect_found_in_a_table_of<3>();
+    expect_found_in_a_table_of<4>();
+    expect_found_in_a_table_of<16>();
+    expect_found_in_a_table_of<33>();
+}
+
+}  // namespace
