@@ -19,8 +19,8 @@ TEST(error, is_nothing_unless_told)
 TEST(error, says_what_and_where)
 {
     VERIFY(not error{errc::bad_value, 3}.ok());
-    VERIFY(error{errc::bad_value, 3}.code == errc::bad_value);
-    VERIFY(error{errc::bad_value, 3}.offset == 3);
+    VERIFY(error{errc::bad_value, 3}.code() == errc::bad_value);
+    VERIFY(error{errc::bad_value, 3}.offset() == 3);
     VERIFY(error{errc::bad_value, 3} != error{errc::bad_value, 4});
     VERIFY(error{errc::bad_value, 3} != error{errc::bad_length, 3});
 }

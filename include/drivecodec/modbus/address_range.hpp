@@ -41,6 +41,16 @@ struct coils {
 /// Addresses on the wire are counted from 0 ("40001" is address 0) and end at this one.
 inline constexpr std::uint16_t last_address = 0xFFFF;
 
+/// Is this a run of 1 to `max` addresses, none beyond 65535? One function for all ranges, for the sake of firmware.
+///
+/// Errors: `bad_quantity`, `bad_address`; the offset is 0 for the address and 2 for the count, as on the wire.
+[[nodiscard]] constexpr error check_range(std::uint16_t first, std::uint16_t count, std::uint16_t max) noexcept
+{
+    if (count < 1 or count > max) { return {errc::bad_quantity, 2}; }
+    if (first + count > last_address + 1) { return {errc::bad_address, 0}; }
+    return {};
+}
+
 /// A run of consecutive addresses: 1 to `Max` of them, none beyond 65535.
 ///
 /// Every object satisfies that, so whatever takes one need not check it. Constants are checked by the compiler,
@@ -60,7 +70,7 @@ public:
         if (first < 0 or first + count > last_address + 1) { compile_error::range_must_end_at_or_before_address_65535(); }
     }
 
-    /// Errors: `bad_quantity`, `bad_address`; the offset is 0 for the address and 2 for the count, as on the wire.
+    /// Errors: those of `check_range`.
     [[nodiscard]] static constexpr result<address_range> make(std::uint16_t first, std::uint16_t count) noexcept
     {
         if (auto const fault = check(first, count); not fault.ok()) { return fault; }
@@ -69,9 +79,7 @@ public:
 
     [[nodiscard]] static constexpr error check(std::uint16_t first, std::uint16_t count) noexcept
     {
-        if (count < 1 or count > Max) { return {errc::bad_quantity, 2}; }
-        if (first + count > last_address + 1) { return {errc::bad_address, 0}; }
-        return {};
+        return check_range(first, count, Max);
     }
 
     /// Precondition: check(first, count).ok().

@@ -13,7 +13,7 @@ struct reply_error {
     exception_code exception{};  ///< If `code` is `exception_reply`.
     std::uint16_t  offset{};     ///< Else: where, as in `error`.
 
-    constexpr reply_error(error fault) noexcept : code{fault.code}, offset{fault.offset} {}
+    constexpr reply_error(error fault) noexcept : code{fault.code()}, offset{fault.offset()} {}
     constexpr reply_error(exception_code refusal) noexcept : code{errc::exception_reply}, exception{refusal} {}
 
     [[nodiscard]] constexpr reply_error moved_by(std::size_t base) const noexcept

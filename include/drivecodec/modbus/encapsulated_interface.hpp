@@ -24,7 +24,7 @@ inline constexpr std::size_t data = type.end;
 {
     namespace at     = layout::encapsulated_interface;
     auto const fault = check_head(pdu, function_code::encapsulated_interface_transport, header, least);
-    if (fault.code == errc::unexpected_function) { return fault; }
+    if (fault.code() == errc::unexpected_function) { return fault; }
     if (pdu.size() >= at::data and at::type.load(pdu) != static_cast<std::uint8_t>(type)) {
         return {errc::unexpected_function, at::type.begin};
     }

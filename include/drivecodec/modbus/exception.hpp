@@ -22,7 +22,7 @@ enum class exception_code : std::uint8_t {
 /// not served, 02 for an address or a range past the last one, 03 for a wrong quantity, byte count, value or length.
 [[nodiscard]] constexpr exception_code to_exception(error fault) noexcept
 {
-    switch (fault.code) {
+    switch (fault.code()) {
     case errc::unsupported_function:
     case errc::unexpected_function: return exception_code::illegal_function;
     case errc::bad_address: return exception_code::illegal_data_address;

@@ -83,6 +83,13 @@ struct function_set {
 
     //=== dispatch ===//
 
+    /// Calls `visitor` with the std::type_identity of the function in `pdu`. Returns false if it is not in the set.
+    template <typename Visitor>
+    static constexpr bool find(bytes pdu, Visitor&& visitor) noexcept
+    {
+        return ((is<Functions>(pdu) and (visitor(std::type_identity<Functions>{}), true)) or ...);
+    }
+
     /// Decodes the request in `pdu` and calls `visitor` with it, as its own type; gives what the visitor answers.
     ///
     /// The visitor's overload set is the feature list: what it has no overload for is `unsupported_function`, and none
@@ -91,8 +98,9 @@ struct function_set {
     [[nodiscard]] static constexpr result<Answer> visit_request(bytes pdu, Visitor&& visitor) noexcept
     {
         if (pdu.empty()) { return error{errc::truncated, 1}; }
-        result<Answer> answer{error{errc::unsupported_function, layout::function.begin}};
-        static_cast<void>((visit_if<typename Functions::request>(pdu, is<Functions>(pdu), visitor, answer) or ...));
+        if (exception_response::is_exception(pdu)) { return unsupported; }
+        result<Answer> answer{unsupported};
+        find(pdu, [&]<typename F>(std::type_identity<F>) { visit<typename F::request>(pdu, visitor, answer); });
         return answer;
     }
 
@@ -101,16 +109,18 @@ struct function_set {
     [[nodiscard]] static constexpr result<Answer> visit_response(bytes pdu, Visitor&& visitor) noexcept
     {
         if (pdu.empty()) { return error{errc::truncated, 1}; }
-        result<Answer> answer{error{errc::unsupported_function, layout::function.begin}};
+        result<Answer> answer{unsupported};
         if (exception_response::is_exception(pdu)) {
-            static_cast<void>(visit_if<exception_response>(pdu, true, visitor, answer));
+            visit<exception_response>(pdu, visitor, answer);
         } else {
-            static_cast<void>((visit_if<typename Functions::response>(pdu, is<Functions>(pdu), visitor, answer) or ...));
+            find(pdu, [&]<typename F>(std::type_identity<F>) { visit<typename F::response>(pdu, visitor, answer); });
         }
         return answer;
     }
 
 private:
+    static constexpr error unsupported{errc::unsupported_function, layout::function.begin};
+
     template <typename F>
     [[nodiscard]] static constexpr bool is(bytes pdu) noexcept
     {
@@ -161,18 +171,14 @@ private:
     }
 
     template <typename Message, typename Visitor, typename Answer>
-    static constexpr bool visit_if(bytes pdu, bool is_it, Visitor& visitor, result<Answer>& answer) noexcept
+    static constexpr void visit(bytes pdu, Visitor& visitor, result<Answer>& answer) noexcept
     {
         if constexpr (std::is_invocable_v<Visitor&, Message const&>) {
-            if (not is_it) { return false; }
             if (auto const fault = Message::check(pdu); not fault.ok()) {
                 answer = fault;
             } else {
                 answer = Answer(visitor(Message::read(pdu)));
             }
-            return true;
-        } else {
-            return false;
         }
     }
 };

@@ -3,6 +3,7 @@
 
 #include <drivecodec/core/codec.hpp>
 #include <drivecodec/core/message_length.hpp>
+#include <drivecodec/modbus/address_range.hpp>
 #include <drivecodec/modbus/function_code.hpp>
 
 // What every request and response has in common: it is a codec whose wire form is a PDU, it names its `function`,
@@ -83,6 +84,13 @@ inline constexpr u8_at<0> function{};  // | function | ...
 {
     auto const fault = check_head(pdu, code, size, size);
     return fault.ok() ? check_size(pdu, size) : fault;
+}
+
+/// The rules for two neighbouring fields, | first hi lo | count hi lo |. Precondition: pdu.size() >= offset + 4.
+[[nodiscard]] constexpr error check_range_at(bytes pdu, std::size_t offset, std::uint16_t max) noexcept
+{
+    auto const fields = pdu.subspan(offset);
+    return check_range(be16_at<0>::load(fields), be16_at<2>::load(fields), max).moved_by(offset);
 }
 
 /// What a request's `matches` says of a field that should have been another.

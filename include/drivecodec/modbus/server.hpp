@@ -31,63 +31,63 @@ struct served<void, Handler> {
     using type = typename Handler::functions;
 };
 
-[[nodiscard]] constexpr std::size_t write_exception(function_code refused, exception_code code, mutable_bytes out) noexcept
-{
-    auto const written = encode(exception_response{.refused = refused, .code = code}, out);
-    return written ? written->size() : 0;
-}
+/// What became of a request: a reply of `size` bytes, an exception, or, if both are none, silence.
+struct outcome {
+    std::uint8_t   size = 0;
+    exception_code exception{};
+
+    constexpr outcome() noexcept = default;
+    constexpr explicit outcome(std::size_t written) noexcept : size{static_cast<std::uint8_t>(written)} {}
+    constexpr explicit outcome(exception_code refusal) noexcept : exception{refusal} {}
+};
 
 template <typename T>
 inline constexpr bool is_answer = false;
 template <typename T>
 inline constexpr bool is_answer<result<T, exception_code>> = true;
 
-/// Writes the reply that `given` stands for; a reply that does not fit, or does not answer `asked`, becomes exception 04.
-template <typename Request, typename Given>
-[[nodiscard]] constexpr std::size_t write_reply(Request const& asked, Given const& given, mutable_bytes out) noexcept
+/// Writes the response if it fits; else it is exception 04.
+template <typename Response>
+[[nodiscard]] constexpr outcome write_response(Response const& response, mutable_bytes out) noexcept
 {
-    constexpr auto code = Request::function::code;
+    auto const size = response.wire_size();
+    if (size > out.size()) { return outcome{exception_code::server_device_failure}; }
+    response.write(out.first(size));
+    return outcome{size};
+}
+
+/// Writes the reply that `given` stands for; one that does not answer `asked`, or does not fit, becomes exception 04.
+template <typename Request, typename Given>
+[[nodiscard]] constexpr outcome write_reply(Request const& asked, Given const& given, mutable_bytes out) noexcept
+{
     if constexpr (std::is_same_v<Given, exception_code>) {
-        return write_exception(code, given, out);
+        return outcome{given};
     } else if constexpr (is_answer<Given>) {
-        return given ? write_reply(asked, *given, out) : write_exception(code, given.error(), out);
+        return given ? write_reply(asked, *given, out) : outcome{given.error()};
     } else if constexpr (std::is_same_v<Given, done>) {
-        return write_reply(asked, asked.reply(), out);
+        return write_response(asked.reply(), out);
     } else if constexpr (message<Given>) {
-        if (asked.matches(given).ok()) {
-            if (auto const written = encode(given, out); written) { return written->size(); }
-        }
-        return write_exception(code, exception_code::server_device_failure, out);
+        return asked.matches(given).ok() ? write_response(given, out) : outcome{exception_code::server_device_failure};
     } else {
         auto const made = Request::function::response::make(given);
         if constexpr (requires { made.has_value(); }) {
-            return made ? write_reply(asked, *made, out)
-                        : write_exception(code, exception_code::server_device_failure, out);
+            return made ? write_reply(asked, *made, out) : outcome{exception_code::server_device_failure};
         } else {
             return write_reply(asked, made, out);
         }
     }
 }
 
-/// Hands a request to the handler and writes what it answers. Has no overload for what the handler has none for.
-template <typename Handler>
-struct responder {
-    Handler&      handler;
-    mutable_bytes out;
-    bool          is_broadcast;
-
-    template <typename Request>
-        requires std::is_invocable_v<Handler&, Request const&>
-    [[nodiscard]] constexpr std::uint16_t operator()(Request const& asked) const noexcept
-    {
-        if (is_broadcast) {
-            if constexpr (is_write<typename Request::function>()) { static_cast<void>(handler(asked)); }
-            return 0;
-        }
-        auto const given = handler(asked);
-        return expects_reply(asked) ? static_cast<std::uint16_t>(write_reply(asked, given, out)) : std::uint16_t{0};
-    }
-};
+/// Hands a request to the handler and writes what it answers. Precondition: F::request::check(pdu).ok().
+template <typename F, typename Handler>
+[[nodiscard]] constexpr outcome serve_function(bytes pdu, mutable_bytes out, Handler& handler, bool is_broadcast) noexcept
+{
+    using request = typename F::request;
+    if (is_broadcast and not is_write<F>()) { return {}; }
+    auto const asked = request::read(pdu);
+    auto const given = handler(asked);
+    return is_broadcast or not expects_reply(asked) ? outcome{} : write_reply(asked, given, out);
+}
 
 }  // namespace detail
 
@@ -113,15 +113,25 @@ template <typename Functions = void, typename Handler>
 [[nodiscard]] constexpr std::size_t serve_pdu(bytes pdu, mutable_bytes out, Handler&& handler,
                                               bool is_broadcast = false) noexcept
 {
-    using set       = typename detail::served<Functions, std::remove_cvref_t<Handler>>::type;
-    using responder = detail::responder<std::remove_reference_t<Handler>>;
+    using set     = typename detail::served<Functions, std::remove_cvref_t<Handler>>::type;
+    using handler_type = std::remove_reference_t<Handler>;
 
     if (pdu.empty() or exception_response::is_exception(pdu)) { return 0; }
-    out             = out.first(out.size() < max_pdu_size ? out.size() : max_pdu_size);
-    auto const size = set::template visit_request<std::uint16_t>(pdu, responder{handler, out, is_broadcast});
-    if (size or is_broadcast) { return size.value_or(0); }
+    out = out.first(out.size() < max_pdu_size ? out.size() : max_pdu_size);
+
+    auto fault = error{errc::unsupported_function, 0};
+    auto given = detail::outcome{};
+    set::find(pdu, [&]<typename F>(std::type_identity<F>) {
+        if constexpr (std::is_invocable_v<handler_type&, typename F::request const&>) {
+            fault = F::request::check(pdu);
+            if (fault.ok()) { given = detail::serve_function<F>(pdu, out, handler, is_broadcast); }
+        }
+    });
+    if (is_broadcast) { return 0; }
+    if (not fault.ok()) { given = detail::outcome{to_exception(fault)}; }
+    if (given.exception == exception_code{}) { return given.size; }
     auto const refused = static_cast<function_code>(layout::function.load(pdu));
-    return detail::write_exception(refused, to_exception(size.error()), out);
+    return detail::write_response(exception_response{refused, given.exception}, out).size;
 }
 
 }  // namespace drivecodec::modbus

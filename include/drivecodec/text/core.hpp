@@ -59,17 +59,17 @@ namespace drivecodec {
 /// What is wrong, and where: `bad_quantity at byte 4`, `truncated, 8 bytes needed`.
 constexpr void write_text(text_writer& out, error fault) noexcept
 {
-    auto const name = to_string(fault.code);
+    auto const name = to_string(fault.code());
     if (name.empty()) {
-        out.put("error ").decimal(static_cast<std::uint8_t>(fault.code));
+        out.put("error ").decimal(static_cast<std::uint8_t>(fault.code()));
     } else {
         out.put(name);
     }
     if (fault.ok()) { return; }
-    if (fault.code == errc::truncated or fault.code == errc::no_space) {
-        out.put(", ").decimal(fault.offset).put(" bytes needed");
+    if (fault.code() == errc::truncated or fault.code() == errc::no_space) {
+        out.put(", ").decimal(fault.offset()).put(" bytes needed");
     } else {
-        out.put(" at byte ").decimal(fault.offset);
+        out.put(" at byte ").decimal(fault.offset());
     }
 }
 

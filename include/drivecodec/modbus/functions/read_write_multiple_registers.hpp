@@ -85,13 +85,11 @@ struct basic_read_write_multiple_registers<MaxRead, MaxWrite>::basic_request {
     {
         namespace at = layout::read_write_multiple_registers_request;
         if (auto const fault = check_head(pdu, code, at::values, at::values + 2); not fault.ok()) { return fault; }
-        auto const read_fault = range_to_read::check(at::read_first.load(pdu), at::read_count.load(pdu));
-        if (not read_fault.ok()) { return read_fault.moved_by(at::read_first.begin); }
-        auto const count       = at::write_count.load(pdu);
-        auto const write_fault = register_range<MaxWrite>::check(at::write_first.load(pdu), count);
-        if (not write_fault.ok()) { return write_fault.moved_by(at::write_first.begin); }
-        if (at::byte_count.load(pdu) != registers::wire_size(count)) { return {errc::bad_length, at::byte_count.begin}; }
-        return check_size(pdu, at::values + registers::wire_size(count));
+        if (auto const fault = check_range_at(pdu, at::read_first.begin, MaxRead); not fault.ok()) { return fault; }
+        if (auto const fault = check_range_at(pdu, at::write_first.begin, MaxWrite); not fault.ok()) { return fault; }
+        auto const size = registers::wire_size(at::write_count.load(pdu));
+        if (at::byte_count.load(pdu) != size) { return {errc::bad_length, at::byte_count.begin}; }
+        return check_size(pdu, at::values + size);
     }
 
     [[nodiscard]] static constexpr basic_request read(bytes pdu) noexcept

@@ -54,11 +54,10 @@ struct block_request {
         namespace at     = layout::block_request;
         auto const fault = check_head(pdu, Function::code, at::values, at::values + addressed::wire_size(1));
         if (not fault.ok()) { return fault; }
-        auto const count = at::count.load(pdu);
-        auto const range = address_range<addressed, Max>::check(at::first.load(pdu), count);
-        if (not range.ok()) { return range.moved_by(at::first.begin); }
-        if (at::byte_count.load(pdu) != addressed::wire_size(count)) { return {errc::bad_length, at::byte_count.begin}; }
-        return check_size(pdu, at::values + addressed::wire_size(count));
+        if (auto const range = check_range_at(pdu, at::first.begin, Max); not range.ok()) { return range; }
+        auto const size = addressed::wire_size(at::count.load(pdu));
+        if (at::byte_count.load(pdu) != size) { return {errc::bad_length, at::byte_count.begin}; }
+        return check_size(pdu, at::values + size);
     }
 
     [[nodiscard]] static constexpr block_request read(bytes pdu) noexcept

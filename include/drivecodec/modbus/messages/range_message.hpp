@@ -25,8 +25,8 @@ struct range_message {
     {
         namespace at = layout::range_message;
         if (auto const fault = check_head(pdu, Function::code, wire_size(), wire_size()); not fault.ok()) { return fault; }
-        auto const fault = Range::check(at::first.load(pdu), at::count.load(pdu));
-        return fault.ok() ? check_size(pdu, wire_size()) : fault.moved_by(at::first.begin);
+        auto const fault = check_range_at(pdu, at::first.begin, Range::max_count);
+        return fault.ok() ? check_size(pdu, wire_size()) : fault;
     }
 
     [[nodiscard]] static constexpr range_message read(bytes pdu) noexcept

@@ -68,7 +68,7 @@ struct adu {
         if (wire.size() > max_adu_size) { return {errc::trailing_bytes, max_adu_size}; }
         auto const is_valid = has_valid_crc<Crc>(wire);
         auto const fault    = Message::check(pdu_of(wire));
-        if (fault.code == errc::truncated) { return fault.moved_by(layout::adu::around); }
+        if (fault.code() == errc::truncated) { return fault.moved_by(layout::adu::around); }
         if (not is_valid) { return {errc::bad_checksum, wire.size() - layout::adu::crc_size}; }
         return fault.moved_by(layout::adu::pdu);
     }

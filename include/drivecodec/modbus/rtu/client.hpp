@@ -29,7 +29,7 @@ template <crc16::algorithm Crc = crc16::by_default, message Request>
     if (adu.size() > max_adu_size) { return reply_error{error{errc::trailing_bytes, max_adu_size}}; }
     if (not has_valid_crc<Crc>(adu)) {
         auto const fault = rtu::adu<response, Crc>::check(adu);
-        return reply_error{fault.code == errc::truncated ? fault
+        return reply_error{fault.code() == errc::truncated ? fault
                                                          : error{errc::bad_checksum, adu.size() - layout::adu::crc_size}};
     }
     if (layout::adu::address.load(adu) != address.byte()) {

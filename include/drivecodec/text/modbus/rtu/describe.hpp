@@ -33,7 +33,7 @@ template <typename Functions = public_functions>
     text.put("  ");
     auto const fault = write_message<Functions>(text, found.direction, found.pdu(), request);
     if (not fault.ok()) {
-        auto const base = fault.code == errc::truncated ? layout::adu::around : layout::adu::pdu;
+        auto const base = fault.code() == errc::truncated ? layout::adu::around : layout::adu::pdu;
         write_refused(text, fault.moved_by(base), found.raw);
     }
     if (not found.aligned) { text.put("  (found amid dropped bytes)"); }
