@@ -23,8 +23,10 @@ TEST(pattern, is_written_as_the_standards_write_it)
 
 TEST(pattern, ignores_blanks)
 {
-    VERIFY(pattern_8{"x01x0001"}.mask == pattern_8{" x 0 1 x  0001 "}.mask);
-    VERIFY(pattern_8{"x01x0001"}.value == pattern_8{" x 0 1 x  0001 "}.value);
+    constexpr pattern_8 dense  = "x01x0001";
+    constexpr pattern_8 spaced = " x 0 1 x  0001 ";
+    VERIFY(dense.mask == spaced.mask);
+    VERIFY(dense.value == spaced.value);
 }
 
 TEST(pattern, matches_what_the_letters_say)
@@ -44,10 +46,10 @@ TEST(pattern, matches_what_the_letters_say)
 
 TEST(pattern, of_x_alone_matches_everything)
 {
-    VERIFY(pattern{"xxxx xxxx xxxx xxxx"}.matches(0xFFFF));
-    VERIFY(pattern{"xxxx xxxx xxxx xxxx"}.matches(0x0000));
-    VERIFY(pattern{"0000 0000 0000 0000"}.matches(0x0000));
-    VERIFY(not pattern{"0000 0000 0000 0000"}.matches(0x8000));
+    constexpr pattern every = "xxxx xxxx xxxx xxxx";
+    constexpr pattern zero  = "0000 0000 0000 0000";
+    VERIFY(every.matches(0xFFFF) and every.matches(0x0000));
+    VERIFY(zero.matches(0x0000) and not zero.matches(0x8000) and not zero.matches(0x0001));
 }
 
 TEST(pattern, overlaps_another_where_a_word_matches_both)
