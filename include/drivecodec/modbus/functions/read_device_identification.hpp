@@ -165,7 +165,9 @@ public:
         std::size_t end = at::objects;
         for (unsigned left = at::object_count.load(pdu); left > 0; --left) {
             auto const object = device_object::length(pdu.subspan(end < pdu.size() ? end : pdu.size()));
-            if (end > pdu.size() or object.is_open()) { return message_length::at_least(end + layout::device_object::value); }
+            if (end > pdu.size() or object.is_open()) {
+                return message_length::at_least(end + left * layout::device_object::value);
+            }
             end += object.size();
         }
         return message_length::exactly(end);

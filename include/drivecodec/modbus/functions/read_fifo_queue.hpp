@@ -97,11 +97,13 @@ struct read_fifo_queue::basic_response {
     [[nodiscard]] static constexpr error check(bytes pdu) noexcept
     {
         namespace at = layout::read_fifo_queue_response;
-        if (auto const fault = check_head(pdu, code, at::values, at::values); not fault.ok()) { return fault; }
+        if (auto const fault = check_head(pdu, code, at::byte_count.end, at::values); not fault.ok()) { return fault; }
+        auto const size = std::size_t{at::byte_count.end} + at::byte_count.load(pdu);
+        if (size < at::values) { return {errc::bad_length, at::byte_count.begin}; }
+        if (pdu.size() < at::values) { return {errc::truncated, size}; }
         auto const count = at::fifo_count.load(pdu);
         if (count > max_count) { return {errc::bad_quantity, at::fifo_count.begin}; }
-        auto const size = at::values + registers::wire_size(count);
-        if (at::byte_count.load(pdu) != size - at::byte_count.end) { return {errc::bad_length, at::byte_count.begin}; }
+        if (size != at::values + registers::wire_size(count)) { return {errc::bad_length, at::byte_count.begin}; }
         return check_size(pdu, size);
     }
 
