@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include <drivecodec/core/bytes.hpp>
 
 namespace drivecodec {
 
@@ -38,10 +37,7 @@ public:
 private:
     enum class kind : std::uint8_t { none, exact, open, silence };
 
-    // Longer than every message stays longer than every message.
-    constexpr message_length(kind what, std::size_t size) noexcept
-        : size_{static_cast<std::uint16_t>(size < 0xFFFF ? size : 0xFFFF)}, kind_{what}
-    {}
+    constexpr message_length(kind what, std::size_t size) noexcept : size_{saturate_16(size)}, kind_{what} {}
 
     std::uint16_t size_;
     kind          kind_;

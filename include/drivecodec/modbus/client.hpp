@@ -7,19 +7,17 @@
 
 namespace drivecodec::modbus {
 
-/// Why there is no response to a request: what is wrong with the bytes, or the exception that the server answered with.
-struct reply_error {
-    errc           code;
-    exception_code exception{};  ///< If `code` is `exception_reply`.
-    std::uint16_t  offset{};     ///< Else: where, as in `error`.
+/// Why there is no response to a request: what is wrong with the bytes and where, as in `error`; or, if `code()` is
+/// `exception_reply`, the exception that the server answered with.
+class reply_error : public error {
+public:
+    constexpr reply_error(error fault) noexcept : error{fault} {}
+    constexpr reply_error(exception_code refusal) noexcept
+        : error{errc::exception_reply, static_cast<std::size_t>(refusal)}
+    {}
 
-    constexpr reply_error(error fault) noexcept : code{fault.code()}, offset{fault.offset()} {}
-    constexpr reply_error(exception_code refusal) noexcept : code{errc::exception_reply}, exception{refusal} {}
-
-    [[nodiscard]] constexpr reply_error moved_by(std::size_t base) const noexcept
-    {
-        return code == errc::exception_reply ? *this : reply_error{error{code, offset + base}};
-    }
+    /// Precondition: code() == errc::exception_reply.
+    [[nodiscard]] constexpr exception_code exception() const noexcept { return static_cast<exception_code>(offset()); }
 
     friend constexpr bool operator==(reply_error, reply_error) noexcept = default;
 };
@@ -28,6 +26,36 @@ struct reply_error {
 template <message Request>
 using reply = result<typename Request::function::response, reply_error>;
 
+namespace detail {
+
+/// Is `pdu` a well-formed response of the function, or an exception?
+template <readable_message Response>
+[[nodiscard]] constexpr error check_response(bytes pdu) noexcept
+{
+    return exception_response::is_exception(pdu) ? exception_response::check(pdu) : Response::check(pdu);
+}
+
+/// What an exception tells the client that asked for `code`. Precondition: exception_response::check(pdu).ok().
+[[nodiscard]] constexpr reply_error to_reply_error(bytes pdu, function_code code) noexcept
+{
+    auto const refusal = exception_response::read(pdu);
+    if (refusal.refused != code) { return reply_error{error{errc::unexpected_function, layout::function.begin}}; }
+    return reply_error{refusal.code};
+}
+
+/// Precondition: check_response(pdu).ok(). Offsets count from `base` bytes before the PDU.
+template <message Request>
+[[nodiscard]] constexpr reply<Request> match_reply(Request const& asked, bytes pdu, std::size_t base) noexcept
+{
+    using response = typename Request::function::response;
+    if (exception_response::is_exception(pdu)) { return to_reply_error(pdu, Request::function::code); }
+    auto const given = response::read(pdu);
+    if (auto const fault = asked.matches(given); not fault.ok()) { return reply_error{fault.moved_by(base)}; }
+    return given;
+}
+
+}  // namespace detail
+
 /// The response in `pdu`, if it answers `asked`: its function, its quantity, the fields it repeats.
 ///
 /// Errors: `exception_reply` with the server's exception; `unexpected_function`, `unexpected_reply` for what answers
@@ -35,21 +63,10 @@ using reply = result<typename Request::function::response, reply_error>;
 template <message Request>
 [[nodiscard]] constexpr reply<Request> check_reply(Request const& asked, bytes pdu) noexcept
 {
-    using response = typename Request::function::response;
-
     if (not expects_reply(asked)) { return reply_error{error{errc::no_reply, 0}}; }
-    if (exception_response::is_exception(pdu)) {
-        if (auto const fault = exception_response::check(pdu); not fault.ok()) { return reply_error{fault}; }
-        auto const refusal = exception_response::read(pdu);
-        if (refusal.refused != Request::function::code) {
-            return reply_error{error{errc::unexpected_function, layout::function.begin}};
-        }
-        return reply_error{refusal.code};
-    }
-    if (auto const fault = response::check(pdu); not fault.ok()) { return reply_error{fault}; }
-    auto const given = response::read(pdu);
-    if (auto const fault = asked.matches(given); not fault.ok()) { return reply_error{fault}; }
-    return given;
+    auto const fault = detail::check_response<typename Request::function::response>(pdu);
+    if (not fault.ok()) { return reply_error{fault}; }
+    return detail::match_reply(asked, pdu, 0);
 }
 
 }  // namespace drivecodec::modbus

@@ -22,7 +22,7 @@ public:
 
     /// Host bools: an array, a span.
     constexpr coil_view(std::span<bool const> states) noexcept
-        : states_{states.data()}, size_{static_cast<std::uint16_t>(states.size())}, host_{true}
+        : states_{states.data()}, size_{saturate_16(states.size())}, host_{true}
     {}
     template <std::size_t N>
     constexpr coil_view(std::array<bool, N> const& states) noexcept : coil_view{std::span<bool const>{states}}
@@ -88,7 +88,7 @@ private:
     }
 
     constexpr coil_view(std::uint8_t const* wire, std::size_t count) noexcept
-        : wire_{wire}, size_{static_cast<std::uint16_t>(count)}
+        : wire_{wire}, size_{saturate_16(count)}
     {}
 
     union {

@@ -23,7 +23,7 @@ public:
 
     /// Host objects: an array, a span.
     constexpr record_list(std::span<Record const> records) noexcept
-        : records_{records.data()}, extent_{static_cast<std::uint16_t>(records.size())}, host_{true}
+        : records_{records.data()}, extent_{saturate_16(records.size())}, host_{true}
     {}
     template <std::size_t N>
     constexpr record_list(std::array<Record, N> const& records) noexcept : record_list{std::span<Record const>{records}}

@@ -21,7 +21,7 @@ public:
 
     /// Host words: an array, a vector, a span.
     constexpr register_view(std::span<std::uint16_t const> words) noexcept
-        : words_{words.data()}, size_{static_cast<std::uint16_t>(words.size())}, host_{true}
+        : words_{words.data()}, size_{saturate_16(words.size())}, host_{true}
     {}
     template <std::size_t N>
     constexpr register_view(std::array<std::uint16_t, N> const& words) noexcept
@@ -95,7 +95,7 @@ public:
 
 private:
     constexpr register_view(std::uint8_t const* wire, std::size_t count) noexcept
-        : wire_{wire}, size_{static_cast<std::uint16_t>(count)}
+        : wire_{wire}, size_{saturate_16(count)}
     {}
 
     union {

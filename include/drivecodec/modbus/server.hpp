@@ -31,15 +31,10 @@ struct served<void, Handler> {
     using type = typename Handler::functions;
 };
 
-/// What became of a request: a reply of `size` bytes, an exception, or, if both are none, silence.
-struct outcome {
-    std::uint8_t   size = 0;
-    exception_code exception{};
+/// What became of a request, in one register: the size of the reply, 0 for silence, or the negative of an exception.
+using outcome = int;
 
-    constexpr outcome() noexcept = default;
-    constexpr explicit outcome(std::size_t written) noexcept : size{static_cast<std::uint8_t>(written)} {}
-    constexpr explicit outcome(exception_code refusal) noexcept : exception{refusal} {}
-};
+[[nodiscard]] constexpr outcome refuse(exception_code code) noexcept { return -static_cast<outcome>(code); }
 
 template <typename T>
 inline constexpr bool is_answer = false;
@@ -51,42 +46,40 @@ template <typename Response>
 [[nodiscard]] constexpr outcome write_response(Response const& response, mutable_bytes out) noexcept
 {
     auto const size = response.wire_size();
-    if (size > out.size()) { return outcome{exception_code::server_device_failure}; }
+    if (size > out.size() or size > max_pdu_size) { return refuse(exception_code::server_device_failure); }
     response.write(out.first(size));
-    return outcome{size};
+    return static_cast<outcome>(size);
 }
 
 /// Writes the reply that `given` stands for; one that does not answer `asked`, or does not fit, becomes exception 04.
 template <typename Request, typename Given>
 [[nodiscard]] constexpr outcome write_reply(Request const& asked, Given const& given, mutable_bytes out) noexcept
 {
+    using response = typename Request::function::response;
     if constexpr (std::is_same_v<Given, exception_code>) {
-        return outcome{given};
+        return refuse(given);
     } else if constexpr (is_answer<Given>) {
-        return given ? write_reply(asked, *given, out) : outcome{given.error()};
+        return given ? write_reply(asked, *given, out) : refuse(given.error());
     } else if constexpr (std::is_same_v<Given, done>) {
         return write_response(asked.reply(), out);
     } else if constexpr (message<Given>) {
-        return asked.matches(given).ok() ? write_response(given, out) : outcome{exception_code::server_device_failure};
+        return asked.matches(given).ok() ? write_response(given, out) : refuse(exception_code::server_device_failure);
+    } else if constexpr (requires { response::fits(given); }) {
+        return response::fits(given) ? write_reply(asked, response::from_checked(given), out)
+                                     : refuse(exception_code::server_device_failure);
     } else {
-        auto const made = Request::function::response::make(given);
-        if constexpr (requires { made.has_value(); }) {
-            return made ? write_reply(asked, *made, out) : outcome{exception_code::server_device_failure};
-        } else {
-            return write_reply(asked, made, out);
-        }
+        return write_reply(asked, response::make(given), out);
     }
 }
 
 /// Hands a request to the handler and writes what it answers. Precondition: F::request::check(pdu).ok().
 template <typename F, typename Handler>
-[[nodiscard]] constexpr outcome serve_function(bytes pdu, mutable_bytes out, Handler& handler, bool is_broadcast) noexcept
+[[nodiscard]] constexpr outcome serve_function(bytes pdu, mutable_bytes out, Handler& handler) noexcept
 {
-    using request = typename F::request;
-    if (is_broadcast and not is_write<F>()) { return {}; }
-    auto const asked = request::read(pdu);
+    if (not is_write<F>() and out.empty()) { return 0; }
+    auto const asked = F::request::read(pdu);
     auto const given = handler(asked);
-    return is_broadcast or not expects_reply(asked) ? outcome{} : write_reply(asked, given, out);
+    return expects_reply(asked) ? write_reply(asked, given, out) : 0;
 }
 
 }  // namespace detail
@@ -104,34 +97,31 @@ template <typename F, typename Handler>
 ///
 /// Requests that break the protocol's rules never reach it: exception 02 for a range past the last address, 03 for a wrong
 /// quantity, byte count, value or length. An answer that does not fit in `out` or in a PDU, or that is not as long as asked
-/// for, is exception 04. Nothing is sent to what has the exception bit set, to a broadcast, of which only writes
-/// reach the handler, and to Diagnostics' Force Listen Only Mode.
+/// for, is exception 04. Nothing is sent to what has the exception bit set and to Diagnostics' Force Listen Only Mode. An empty
+/// `out` means that there is nobody to answer, as to a broadcast: then only writes reach the handler.
 ///
 /// `Functions` are, unless named, the handler's `functions` if it has such a type, else the public ones. `pdu` and
 /// `out` must not overlap.
 template <typename Functions = void, typename Handler>
-[[nodiscard]] constexpr std::size_t serve_pdu(bytes pdu, mutable_bytes out, Handler&& handler,
-                                              bool is_broadcast = false) noexcept
+[[nodiscard]] constexpr std::size_t serve_pdu(bytes pdu, mutable_bytes out, Handler&& handler) noexcept
 {
     using set     = typename detail::served<Functions, std::remove_cvref_t<Handler>>::type;
     using handler_type = std::remove_reference_t<Handler>;
 
     if (pdu.empty() or exception_response::is_exception(pdu)) { return 0; }
-    out = out.first(out.size() < max_pdu_size ? out.size() : max_pdu_size);
-
     auto fault = error{errc::unsupported_function, 0};
-    auto given = detail::outcome{};
+    auto given = detail::outcome{0};
     set::find(pdu, [&]<typename F>(std::type_identity<F>) {
         if constexpr (std::is_invocable_v<handler_type&, typename F::request const&>) {
             fault = F::request::check(pdu);
-            if (fault.ok()) { given = detail::serve_function<F>(pdu, out, handler, is_broadcast); }
+            if (fault.ok()) { given = detail::serve_function<F>(pdu, out, handler); }
         }
     });
-    if (is_broadcast) { return 0; }
-    if (not fault.ok()) { given = detail::outcome{to_exception(fault)}; }
-    if (given.exception == exception_code{}) { return given.size; }
+    if (not fault.ok()) { given = detail::refuse(to_exception(fault)); }
+    if (given >= 0) { return static_cast<std::size_t>(given); }
     auto const refused = static_cast<function_code>(layout::function.load(pdu));
-    return detail::write_response(exception_response{refused, given.exception}, out).size;
+    auto const refusal = exception_response{refused, static_cast<exception_code>(-given)};
+    return out.size() < refusal.wire_size() ? 0 : static_cast<std::size_t>(detail::write_response(refusal, out));
 }
 
 }  // namespace drivecodec::modbus

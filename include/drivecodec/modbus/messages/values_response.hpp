@@ -31,8 +31,16 @@ struct values_response {
     /// Errors: `bad_quantity` at the byte count.
     [[nodiscard]] static constexpr result<values_response> make(Values values_to_send) noexcept
     {
-        if (not bounded_values::fits(values_to_send.size())) { return error{errc::bad_quantity, byte_count_offset}; }
-        return values_response{.values = bounded_values::from_checked(values_to_send)};
+        if (not fits(values_to_send)) { return error{errc::bad_quantity, byte_count_offset}; }
+        return from_checked(values_to_send);
+    }
+
+    [[nodiscard]] static constexpr bool fits(Values const& given) noexcept { return bounded_values::fits(given.size()); }
+
+    /// Precondition: fits(given).
+    [[nodiscard]] static constexpr values_response from_checked(Values const& given) noexcept
+    {
+        return {.values = bounded_values::from_checked(given)};
     }
 
     [[nodiscard]] static constexpr std::size_t wire_size() noexcept

@@ -42,6 +42,26 @@ constexpr void write_crc(mutable_bytes adu) noexcept
     u8_at<1>::store(adu.subspan(covered), static_cast<std::uint8_t>(crc >> 8));
 }
 
+/// No frame is shorter than 4 bytes, none is longer than 256.
+[[nodiscard]] constexpr error check_adu_size(bytes adu) noexcept
+{
+    if (adu.size() < min_adu_size) { return {errc::truncated, min_adu_size}; }
+    if (adu.size() > max_adu_size) { return {errc::trailing_bytes, max_adu_size}; }
+    return {};
+}
+
+/// What is wrong with a frame, of which `pdu_fault` tells what is wrong with its PDU: what a longer frame would mend,
+/// then what the line has damaged, then another address than `address`, then what the other side has sent wrongly.
+/// Precondition: check_adu_size(adu).ok().
+template <crc16::algorithm Crc>
+[[nodiscard]] constexpr error check_adu(bytes adu, std::uint8_t address, error pdu_fault) noexcept
+{
+    if (pdu_fault.code() == errc::truncated) { return pdu_fault.moved_by(layout::adu::around); }
+    if (not has_valid_crc<Crc>(adu)) { return {errc::bad_checksum, adu.size() - layout::adu::crc_size}; }
+    if (layout::adu::address.load(adu) != address) { return {errc::unexpected_server, layout::adu::address.begin}; }
+    return pdu_fault.moved_by(layout::adu::pdu);
+}
+
 /// A message to or from a server, as a frame.
 ///
 /// `check` tells apart what a longer frame would mend (`truncated`), what the line has damaged (`bad_checksum`), and what
@@ -64,13 +84,9 @@ struct adu {
 
     [[nodiscard]] static constexpr error check(bytes wire) noexcept
     {
-        if (wire.size() < min_adu_size) { return {errc::truncated, min_adu_size}; }
-        if (wire.size() > max_adu_size) { return {errc::trailing_bytes, max_adu_size}; }
-        auto const is_valid = has_valid_crc<Crc>(wire);
-        auto const fault    = Message::check(pdu_of(wire));
-        if (fault.code() == errc::truncated) { return fault.moved_by(layout::adu::around); }
-        if (not is_valid) { return {errc::bad_checksum, wire.size() - layout::adu::crc_size}; }
-        return fault.moved_by(layout::adu::pdu);
+        auto const fault = check_adu_size(wire);
+        if (not fault.ok()) { return fault; }
+        return check_adu<Crc>(wire, layout::adu::address.load(wire), Message::check(pdu_of(wire)));
     }
 
     [[nodiscard]] static constexpr adu read(bytes wire) noexcept

@@ -17,27 +17,19 @@ template <message Request>
 
 /// The response in the frame `adu`, if it is the reply of the server `address` to `asked`; a stale or foreign reply is not.
 ///
-/// Errors, with offsets in `adu`: `no_reply` to a broadcast; `truncated`, `bad_checksum`; `unexpected_server`; those of
+/// Errors, with offsets in `adu`: `no_reply` to a broadcast; `truncated`, `bad_checksum`, `unexpected_server`; those of
 /// `check_reply`. Views inside the response point into `adu`.
 template <crc16::algorithm Crc = crc16::by_default, message Request>
 [[nodiscard]] constexpr reply<Request> check(server_address address, Request const& asked, bytes adu) noexcept
 {
-    using response = typename Request::function::response;
-
     if (not expects_reply(address, asked)) { return reply_error{error{errc::no_reply, 0}}; }
-    if (adu.size() < min_adu_size) { return reply_error{error{errc::truncated, min_adu_size}}; }
-    if (adu.size() > max_adu_size) { return reply_error{error{errc::trailing_bytes, max_adu_size}}; }
-    if (not has_valid_crc<Crc>(adu)) {
-        auto const fault = rtu::adu<response, Crc>::check(adu);
-        return reply_error{fault.code() == errc::truncated ? fault
-                                                         : error{errc::bad_checksum, adu.size() - layout::adu::crc_size}};
+    auto fault = check_adu_size(adu);
+    if (fault.ok()) {
+        auto const inner = detail::check_response<typename Request::function::response>(pdu_of(adu));
+        fault            = check_adu<Crc>(adu, address.byte(), inner);
     }
-    if (layout::adu::address.load(adu) != address.byte()) {
-        return reply_error{error{errc::unexpected_server, layout::adu::address.begin}};
-    }
-    auto const answered = check_reply(asked, pdu_of(adu));
-    if (answered) { return answered; }
-    return answered.error().moved_by(answered.error().code == errc::truncated ? layout::adu::around : layout::adu::pdu);
+    if (not fault.ok()) { return reply_error{fault}; }
+    return detail::match_reply(asked, pdu_of(adu), layout::adu::pdu);
 }
 
 /// Refused: a response that borrows its bytes would outlive them. Name the buffer first.

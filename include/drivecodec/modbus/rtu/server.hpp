@@ -21,8 +21,8 @@ template <typename Functions = void, crc16::algorithm Crc = crc16::by_default, t
     auto const is_broadcast = address == server_address{broadcast}.byte();
     if ((address != own.byte() and not is_broadcast) or not has_valid_crc<Crc>(adu)) { return {}; }
 
-    auto const room = reply.subspan(layout::adu::pdu, reply.size() - layout::adu::around);
-    auto const size = serve_pdu<Functions>(pdu_of(adu), room, handler, is_broadcast);
+    auto const room = is_broadcast ? 0 : reply.size() - layout::adu::around;
+    auto const size = serve_pdu<Functions>(pdu_of(adu), reply.subspan(layout::adu::pdu, room), handler);
     if (size == 0) { return {}; }
     reply = reply.first(size + layout::adu::around);
     layout::adu::address.store(reply, own.byte());

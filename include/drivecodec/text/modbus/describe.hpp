@@ -9,6 +9,9 @@
 
 namespace drivecodec::modbus {
 
+/// What `describe` writes of a public function is never longer. The longest are event logs.
+inline constexpr std::size_t max_description_size = 10'240;
+
 /// The name of the function in `pdu`: the set's, or else the specification's. Empty if neither knows it.
 template <typename Functions = public_functions>
 [[nodiscard]] constexpr std::string_view function_name(bytes pdu) noexcept
