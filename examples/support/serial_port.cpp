@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/serial_port.hpp"
+#include "serial_port.hpp"
 
 #include <array>
 #include <cerrno>

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/modbus/rtu/timing.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// The words of a command line.
+
+namespace support {
+
+/// The user wrote something that the program does not understand; `what()` tells them.
+struct usage_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A whole number, decimal or 0x..., between `lowest` and `highest`.
+[[nodiscard]] inline long long to_number(std::string const& word, long long lowest, long long highest)
+{
+    std::size_t used   = 0;
+    long long   number = 0;
+    try {
+        auto const is_hex = word.find("0x") != std::string::npos or word.find("0X") != std::string::npos;
+        number            = std::stoll(word, &used, is_hex ? 16 : 10);
+    } catch (std::logic_error const&) { used = 0; }
+    if (used == 0 or used != word.size() or number < lowest or number > highest) {
+        throw usage_error{"'" + word + "' is not a number from " + std::to_string(lowest) + " to "
+                          + std::to_string(highest)};
+    }
+    return number;
+}
+
+template <typename Number>
+[[nodiscard]] Number to(std::string const& word, Number lowest = std::numeric_limits<Number>::min(),
+                        Number highest = std::numeric_limits<Number>::max())
+{
+    return static_cast<Number>(to_number(word, lowest, highest));
+}
+
+/// A register's value: 0 to 65535, or as a signed number -32768 to 32767.
+[[nodiscard]] inline std::uint16_t to_register(std::string const& word)
+{
+    return static_cast<std::uint16_t>(to_number(word, -32768, 65535));
+}
+
+/// As one writes it on a drive's display: 8E1, 8O1, 8N1, 8N2.
+[[nodiscard]] inline drivecodec::modbus::rtu::character_format to_format(std::string_view word)
+{
+    using namespace drivecodec::modbus::rtu;
+    for (auto const [name, parity] :
+         {std::pair{'N', parity::none}, std::pair{'E', parity::even}, std::pair{'O', parity::odd}}) {
+        if (word == std::string{'8', name, '1'}) { return {parity, stop_bits::one}; }
+        if (word == std::string{'8', name, '2'}) { return {parity, stop_bits::two}; }
+    }
+    throw usage_error{"'" + std::string{word} + "' is not a character format such as 8E1"};
+}
+
+/// The words, taken one by one from the front.
+class arguments {
+public:
+    arguments(int count, char const* const* words) : words_(words + (count > 0 ? 1 : 0), words + count) {}
+
+    [[nodiscard]] bool empty() const noexcept { return at_ == words_.size(); }
+
+    /// The next word; `what` tells the user what is missing if there is none.
+    std::string next(std::string_view what)
+    {
+        if (empty()) { throw usage_error{std::string{what} + " is missing"}; }
+        return words_[at_++];
+    }
+
+    /// Takes the next word if it is an option.
+    [[nodiscard]] bool is_option() const { return not empty() and words_[at_].starts_with("--"); }
+
+private:
+    std::vector<std::string> words_;
+    std::size_t              at_ = 0;
+};
+
+}  // namespace support
