@@ -76,6 +76,15 @@ TEST(same_bytes, compares_sizes_and_contents)
     VERIFY(not same_bytes("01"_hex, {}));
 }
 
+TEST(saturate_16, keeps_too_many_too_many)
+{
+    VERIFY(saturate_16(0) == 0);
+    VERIFY(saturate_16(0xFFFE) == 0xFFFE);
+    VERIFY(saturate_16(0xFFFF) == 0xFFFF);
+    VERIFY(saturate_16(0x1'0000) == 0xFFFF);
+    VERIFY(saturate_16(0x1'0001) == 0xFFFF);
+}
+
 TEST(owning_temporary, is_a_container_about_to_die)
 {
     using array = std::array<std::uint8_t, 3>;

@@ -88,7 +88,7 @@ private:
     }
 
     constexpr coil_view(std::uint8_t const* wire, std::size_t count) noexcept
-        : wire_{wire}, size_{saturate_16(count)}
+        : wire_{wire}, size_{static_cast<std::uint16_t>(count)}
     {}
 
     union {
