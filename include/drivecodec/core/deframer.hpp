@@ -118,7 +118,7 @@ public:
     }
 
     /// What the framing expects has changed: the readings of the bytes that wait are judged anew.
-    constexpr void reconsider() noexcept { refuted_ = 0; }
+    constexpr void reconsider() noexcept { forget(); }
 
     [[nodiscard]] constexpr Framing&               scheme() noexcept { return framing_; }
     [[nodiscard]] constexpr Framing const&         scheme() const noexcept { return framing_; }
