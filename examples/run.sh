@@ -9,6 +9,7 @@ cmake --build build/examples >/dev/null
 for source in examples/*.cpp; do
     [ -e "$source" ] || continue
     name=$(basename "$source" .cpp)
+    case $name in modbus_*) continue ;; esac
     echo "== $name"
     "build/examples/examples/$name"
 done

@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 // The words of a command line.
@@ -37,8 +36,8 @@ struct usage_error : std::runtime_error {
 }
 
 template <typename Number>
-[[nodiscard]] Number to(std::string const& word, Number lowest = std::numeric_limits<Number>::min(),
-                        Number highest = std::numeric_limits<Number>::max())
+[[nodiscard]] Number to(std::string const& word, long long lowest = std::numeric_limits<Number>::min(),
+                        long long highest = std::numeric_limits<Number>::max())
 {
     return static_cast<Number>(to_number(word, lowest, highest));
 }
@@ -53,10 +52,12 @@ template <typename Number>
 [[nodiscard]] inline drivecodec::modbus::rtu::character_format to_format(std::string_view word)
 {
     using namespace drivecodec::modbus::rtu;
-    for (auto const [name, parity] :
-         {std::pair{'N', parity::none}, std::pair{'E', parity::even}, std::pair{'O', parity::odd}}) {
-        if (word == std::string{'8', name, '1'}) { return {parity, stop_bits::one}; }
-        if (word == std::string{'8', name, '2'}) { return {parity, stop_bits::two}; }
+    static constexpr struct {
+        std::string_view name;
+        character_format format;
+    } rows[] = {{"8E1", format_8e1}, {"8O1", format_8o1}, {"8N1", format_8n1}, {"8N2", format_8n2}};
+    for (auto const& row : rows) {
+        if (word == row.name) { return row.format; }
     }
     throw usage_error{"'" + std::string{word} + "' is not a character format such as 8E1"};
 }

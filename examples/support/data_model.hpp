@@ -55,6 +55,21 @@ private:
 };
 
 struct data_model {
+    struct sizes {
+        std::size_t holding_registers = 1000;
+        std::size_t input_registers   = 1000;
+        std::size_t coils             = 1000;
+        std::size_t discrete_inputs   = 1000;
+        std::size_t files             = 4;
+    };
+
+    explicit data_model(sizes const& wanted)
+        : holding_registers{wanted.holding_registers}, input_registers{wanted.input_registers}, coils{wanted.coils},
+          discrete_inputs{wanted.discrete_inputs}
+    {
+        for (std::size_t i = 0; i < wanted.files; ++i) { files.emplace_back(modbus::file_record_range::last_record + 1U); }
+    }
+
     table<std::uint16_t> holding_registers;
     table<std::uint16_t> input_registers;
     table<bool>          coils;

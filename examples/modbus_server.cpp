@@ -1,0 +1,485 @@
+// SPDX-License-Identifier: MIT
+//
+// A Modbus RTU server on a serial device, or on a pseudo-terminal that it opens and names:
+//
+//     modbus_server --address 17 --link /tmp/drive &
+//     modbus_poll --device /tmp/drive --address 17 read-holding 107 3
+//
+// The first line it prints is the path of the device. It ends with Ctrl-C, and then prints its counters.
+#include "support/arguments.hpp"
+#include "support/data_model.hpp"
+#include "support/serial_port.hpp"
+#include "support/server_counters.hpp"
+
+#include <drivecodec/modbus.hpp>
+#include <drivecodec/text/modbus.hpp>
+#include <drivecodec/version.hpp>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <string>
+
+namespace modbus = drivecodec::modbus;
+namespace rtu    = modbus::rtu;
+
+namespace {
+
+template <std::size_t N>
+[[nodiscard]] consteval std::array<std::uint8_t, N - 1> ascii(char const (&text)[N])
+{
+    std::array<std::uint8_t, N - 1> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) { out[i] = static_cast<std::uint8_t>(text[i]); }
+    return out;
+}
+
+//=== what it serves ===//
+
+/// The handler: what it has an overload for is served; the library answers everything else with an exception.
+class device {
+public:
+    explicit device(support::data_model model) : model_{std::move(model)} {}
+
+    support::server_counters counters;
+    support::event_log       log;
+    bool                     listens_only = false;
+
+    template <typename T>
+    using answer = modbus::answer<T>;
+    using done   = modbus::done;
+    using enum modbus::exception_code;
+
+    void refresh() { model_.refresh(counters.server_messages); }
+
+    //=== coils and discrete inputs ===//
+
+    answer<modbus::coil_view> operator()(modbus::read_coils::request const& asked)
+    {
+        return model_.coils.read<modbus::coil_view>(asked.range.first(), asked.range.count());
+    }
+    answer<modbus::coil_view> operator()(modbus::read_discrete_inputs::request const& asked)
+    {
+        return model_.discrete_inputs.read<modbus::coil_view>(asked.range.first(), asked.range.count());
+    }
+    answer<done> operator()(modbus::write_single_coil::request const& asked)
+    {
+        return model_.coils.write(asked.address, std::array{asked.value});
+    }
+    answer<done> operator()(modbus::write_multiple_coils::request const& asked)
+    {
+        return model_.coils.write(asked.block.first(), asked.block.values());
+    }
+
+    //=== registers ===//
+
+    answer<modbus::register_view> operator()(modbus::read_holding_registers::request const& asked)
+    {
+        return read_holding(asked.range.first(), asked.range.count());
+    }
+    answer<modbus::register_view> operator()(modbus::read_input_registers::request const& asked)
+    {
+        return model_.input_registers.read<modbus::register_view>(asked.range.first(), asked.range.count());
+    }
+    answer<done> operator()(modbus::write_single_register::request const& asked)
+    {
+        return write_holding(asked.address, std::array{asked.value});
+    }
+    answer<done> operator()(modbus::write_multiple_registers::request const& asked)
+    {
+        return write_holding(asked.block.first(), asked.block.values());
+    }
+    answer<done> operator()(modbus::mask_write_register::request const& asked)
+    {
+        auto const current = read_holding(asked.address, 1);
+        if (not current) { return current.error(); }
+        return write_holding(asked.address, std::array{asked.apply((*current)[0])});
+    }
+    answer<modbus::register_view> operator()(modbus::read_write_multiple_registers::request const& asked)
+    {
+        auto const read = read_holding(asked.read_range.first(), asked.read_range.count());
+        if (not read) { return read; }  // writes nothing, either
+        auto const wrote = write_holding(asked.write_block.first(), asked.write_block.values());
+        if (not wrote) { return wrote.error(); }
+        return read;  // a view: it shows what was written
+    }
+    answer<modbus::read_fifo_queue::response> operator()(modbus::read_fifo_queue::request const& asked)
+    {
+        if (asked.address != model_.queue_address) { return illegal_data_address; }
+        return respond<modbus::read_fifo_queue::response>(modbus::register_view{model_.queue});
+    }
+
+    //=== files ===//
+
+    answer<modbus::read_file_record::response> operator()(modbus::read_file_record::request const& asked)
+    {
+        file_values_.clear();
+        for (auto const range : asked.records()) {
+            auto const* file = find_file(range.file());
+            if (file == nullptr) { return illegal_data_address; }
+            auto const values = file->read<modbus::register_view>(range.record(), range.count());
+            if (not values) { return values.error(); }
+            file_values_.push_back(*modbus::file_values::make(*values));
+        }
+        return respond<modbus::read_file_record::response>(std::span<modbus::file_values const>{file_values_});
+    }
+    answer<done> operator()(modbus::write_file_record::request const& asked)
+    {
+        for (auto const record : asked.records()) {
+            if (find_file(record.range().file()) == nullptr) { return illegal_data_address; }
+        }
+        for (auto const record : asked.records()) {
+            auto const wrote = find_file(record.range().file())->write(record.range().record(), record.values());
+            if (not wrote) { return wrote.error(); }
+        }
+        return done{};
+    }
+
+    //=== who it is and how it is ===//
+
+    modbus::read_exception_status::response operator()(modbus::read_exception_status::request)
+    {
+        std::uint8_t outputs = 0;  // the first eight coils
+        for (std::size_t i = 0; i < 8 and i < model_.coils.size(); ++i) {
+            if (model_.coils.all()[i]) { outputs = static_cast<std::uint8_t>(outputs | 1U << i); }
+        }
+        return {outputs};
+    }
+    answer<modbus::report_server_id::response> operator()(modbus::report_server_id::request)
+    {
+        // The ID of one byte, the run indicator (on), and a text.
+        static constexpr auto id = ascii("\xDC\xFF" "drivecodec");
+        return respond<modbus::report_server_id::response>(id);
+    }
+    answer<modbus::read_device_identification::response> operator()(
+        modbus::read_device_identification::request const& asked)
+    {
+        using modbus::device_object;
+        using enum modbus::device_object_id;
+        static constexpr auto vendor  = ascii("drivecodec");
+        static constexpr auto product = ascii("modbus_server");
+        static constexpr auto version = std::array<std::uint8_t, 3>{'0' + DRIVECODEC_VERSION_MAJOR, '.',
+                                                                    '0' + DRIVECODEC_VERSION_MINOR};
+        static constexpr auto model   = ascii("an example");
+        static constexpr device_object objects[] = {
+            {vendor_name, vendor}, {product_code, product}, {major_minor_revision, version}, {model_name, model}};
+        return modbus::read_device_identification::answer(asked, modbus::device_conformity::regular_and_specific, objects);
+    }
+    modbus::get_comm_event_counter::response operator()(modbus::get_comm_event_counter::request)
+    {
+        return {.busy = false, .event_count = counters.events};
+    }
+    answer<modbus::get_comm_event_log::response> operator()(modbus::get_comm_event_log::request)
+    {
+        return respond<modbus::get_comm_event_log::response>(false, counters.events, counters.server_messages, log.events());
+    }
+    answer<modbus::diagnostics::response> operator()(modbus::diagnostics::request const& asked)
+    {
+        using enum modbus::diagnostic;
+        switch (asked.sub_function()) {
+        case return_query_data: return asked.reply();
+        case restart_communications_option:
+            if (asked.data()[0] == modbus::diagnostics::clear_log) { log.clear(); }
+            counters     = {};
+            listens_only = false;
+            log.add(log.restarted);
+            return asked.reply();
+        case force_listen_only_mode:
+            listens_only = true;
+            log.add(log.entered_listen_only);
+            return asked.reply();  // not sent
+        case clear_counters_and_diagnostic_register: counters = {}; return asked.reply();
+        case clear_overrun_counter_and_flag: return asked.reply();
+        default:
+            auto const* counter = counters.find(asked.sub_function());
+            if (counter == nullptr) { return illegal_function; }
+            auto const reply = asked.reply_with(std::span{counter, 1});
+            if (not reply) { return server_device_failure; }
+            return *reply;
+        }
+    }
+
+private:
+    template <typename Response, typename... Parts>
+    static answer<Response> respond(Parts const&... parts)
+    {
+        auto const made = Response::make(parts...);
+        if (not made) { return modbus::exception_code::server_device_failure; }
+        return *made;
+    }
+
+    answer<modbus::register_view> read_holding(std::size_t first, std::size_t count)
+    {
+        return model_.holding_registers.read<modbus::register_view>(first, count);
+    }
+    template <typename Values>
+    answer<done> write_holding(std::size_t first, Values const& values)
+    {
+        auto const wrote = model_.holding_registers.write(first, values);
+        if (wrote and first == model_.queue_address) { model_.enqueue(values[0]); }
+        return wrote;
+    }
+    support::table<std::uint16_t>* find_file(std::uint16_t number)
+    {
+        return number <= model_.files.size() ? &model_.files[number - 1U] : nullptr;
+    }
+
+    support::data_model              model_;
+    std::vector<modbus::file_values> file_values_;  // what a reply borrows
+};
+
+//=== the line ===//
+
+std::sig_atomic_t volatile stop = 0;
+
+struct options {
+    std::string                  device;  // empty: a pseudo-terminal
+    std::string                  link;
+    std::string                  log;
+    rtu::server_address          address = 1;
+    std::uint32_t                baud    = 19200;
+    rtu::character_format        format  = rtu::format_8e1;
+    std::optional<std::uint32_t> silence;  // microseconds
+    support::data_model::sizes   sizes;
+    bool                         verbose = false;
+};
+
+/// Answers what comes in on the line, until a signal stops it.
+class server {
+public:
+    server(support::serial_port port, rtu::server_address own, std::uint32_t silence, device served)
+        : port_{std::move(port)}, own_{own}, silence_{silence}, reader_{rtu::expecting::either, own}, device_{std::move(served)}
+    {}
+
+    std::ofstream log;  // a line of hex digits for every frame
+    bool          verbose = false;
+
+    /// False: the device is gone.
+    bool run()
+    {
+        constexpr std::uint32_t look_for_signals = 100'000;
+        while (stop == 0) {
+            auto const count = port_.read(reader_.prepare(), is_silent_ ? look_for_signals : silence_);
+            if (not count) { return false; }
+            if (*count > 0) {
+                is_silent_ = false;
+                reader_.commit(*count);
+            } else if (not is_silent_) {
+                is_silent_ = true;
+                reader_.silence();
+            }
+            while (auto const item = reader_.next()) {
+                if (auto const* found = item.frame()) { receive(*found); }
+                if (auto const* noise = item.dropped()) { drop(*noise); }
+            }
+            // A reply waits for the silence that ends the request. Whoever sends meanwhile does not wait for it.
+            if (is_silent_ and not reply_.empty() and not send()) { return false; }
+        }
+        return true;
+    }
+
+    void print_counters() const
+    {
+        auto const& line = reader_.counters();
+        auto const& own  = device_.counters;
+        std::cout << "on the line: " << line.frames << " frames, " << line.dropped_bytes << " bytes dropped in "
+                  << line.dropped_runs << " runs (" << line.bad_checksums << " bad checksums, " << line.truncated
+                  << " cut short)\n"
+                  << "this server: " << own.server_messages << " requests, " << own.events << " carried out, "
+                  << own.exceptions_sent << " exceptions, " << own.without_response << " without a response\n";
+    }
+
+private:
+    void receive(rtu::frame const& found)
+    {
+        show("<- ", found);
+        reply_ = {};
+        ++device_.counters.bus_messages;
+        auto const is_broadcast = found.address() == 0;
+        auto const is_for_us    = found.address() == own_.byte() or is_broadcast;
+        if (not is_for_us or not found.aligned or found.direction != modbus::direction::request) { return; }
+
+        ++device_.counters.server_messages;
+        auto const was_listening_only = device_.listens_only;
+        log_received(is_broadcast ? support::event_log::received.with(modbus::comm_event::broadcast_received)
+                                  : support::event_log::received);
+        if (not was_listening_only or is_restart(found)) {
+            device_.refresh();
+            reply_ = rtu::serve(own_, found, reply_buffer_, device_);
+        }
+        if (was_listening_only) { reply_ = {}; }
+        count_reply(found);
+    }
+
+    void count_reply(rtu::frame const& asked)
+    {
+        auto const answered = rtu::frame{.raw = reply_, .direction = modbus::direction::response, .aligned = true};
+        if (reply_.empty()) {
+            ++device_.counters.without_response;
+        } else if (answered.is_exception()) {
+            ++device_.counters.exceptions_sent;
+            device_.log.add(support::event_log::sent_exception(static_cast<modbus::exception_code>(answered.pdu()[1])));
+            return;
+        } else {
+            device_.log.add(support::event_log::sent);
+        }
+        if (asked.function() != modbus::function_code::get_comm_event_counter) { ++device_.counters.events; }
+    }
+
+    void drop(drivecodec::dropped_bytes const& noise)
+    {
+        write_log(noise.raw);
+        if (verbose) { std::cout << "   " << noise.raw.size() << " bytes dropped: " << to_string(noise.reason) << std::endl; }
+        if (noise.reason != drivecodec::errc::bad_checksum) { return; }
+        ++device_.counters.bus_errors;
+        log_received(support::event_log::received.with(modbus::comm_event::communication_error));
+    }
+
+    [[nodiscard]] bool send()
+    {
+        show("-> ", {.raw = reply_, .direction = modbus::direction::response, .aligned = true});
+        return port_.write_all(std::exchange(reply_, {}));
+    }
+
+    /// The one request that ends the listen-only mode.
+    [[nodiscard]] static bool is_restart(rtu::frame const& found)
+    {
+        auto const asked = drivecodec::decode<modbus::diagnostics::request>(found.pdu());
+        return asked and asked->sub_function() == modbus::diagnostic::restart_communications_option;
+    }
+
+    void log_received(modbus::comm_event event)
+    {
+        device_.log.add(device_.listens_only ? event.with(modbus::comm_event::in_listen_only_mode) : event);
+    }
+
+    void show(char const* way, rtu::frame const& found)
+    {
+        write_log(found.raw);
+        if (not verbose) { return; }
+        std::array<char, 400> text{};
+        std::cout << way << rtu::describe(found, text) << std::endl;
+    }
+
+    void write_log(drivecodec::bytes raw)
+    {
+        if (not log.is_open()) { return; }
+        std::array<char, 3 * rtu::max_adu_size> digits{};
+        log << drivecodec::text_writer{digits}.hex(raw).view() << std::endl;
+    }
+
+    support::serial_port                        port_;
+    rtu::server_address                         own_;
+    std::uint32_t                               silence_;
+    bool                                        is_silent_ = true;
+    rtu::reader                                 reader_;
+    device                                      device_;
+    std::array<std::uint8_t, rtu::max_adu_size> reply_buffer_{};
+    drivecodec::bytes                           reply_{};  // waits to be sent
+};
+
+//=== the command line ===//
+
+constexpr auto usage = R"(usage: modbus_server [options]
+  --device PATH     a serial device; without it, a pseudo-terminal is opened and its path printed
+  --link PATH       a symbolic link to the device
+  --address N       the server's address, 1 to 247 (1)
+  --baud N          (19200)
+  --format 8E1      data bits, parity, stop bits (8E1)
+  --silence N       microseconds that end a frame (3.5 characters); more for adapters that deliver bytes in lumps
+  --holding N --input N --coils N --discrete N
+                    how many registers, coils and discrete inputs (1000)
+  --files N         how many files (4)
+  --log FILE        writes every frame as a line of hex digits
+  --verbose         prints every frame in words
+)";
+
+options parse(support::arguments words)
+{
+    options given;
+    while (not words.empty()) {
+        auto const word  = words.next("an option");
+        auto const value = [&] { return words.next("the value of " + word); };
+        auto const count = [&] { return support::to<std::size_t>(value(), 0, 65536); };
+        if (word == "--device") { given.device = value(); }
+        else if (word == "--link") { given.link = value(); }
+        else if (word == "--log") { given.log = value(); }
+        else if (word == "--address") { given.address = *rtu::server_address::make(support::to<std::uint8_t>(value(), 1, 247)); }
+        else if (word == "--baud") { given.baud = support::to<std::uint32_t>(value(), 1); }
+        else if (word == "--format") { given.format = support::to_format(value()); }
+        else if (word == "--silence") { given.silence = support::to<std::uint32_t>(value(), 1); }
+        else if (word == "--holding") { given.sizes.holding_registers = count(); }
+        else if (word == "--input") { given.sizes.input_registers = count(); }
+        else if (word == "--coils") { given.sizes.coils = count(); }
+        else if (word == "--discrete") { given.sizes.discrete_inputs = count(); }
+        else if (word == "--files") { given.sizes.files = count(); }
+        else if (word == "--verbose") { given.verbose = true; }
+        else { throw support::usage_error{"unknown option '" + word + "'"}; }
+    }
+    return given;
+}
+
+/// A symbolic link that is gone when the program is.
+class symbolic_link {
+public:
+    symbolic_link(std::filesystem::path from, std::filesystem::path const& to) : from_{std::move(from)}
+    {
+        if (from_.empty()) { return; }
+        if (std::filesystem::is_symlink(from_)) { std::filesystem::remove(from_); }
+        std::filesystem::create_symlink(to, from_);
+    }
+    symbolic_link(symbolic_link const&)            = delete;
+    symbolic_link& operator=(symbolic_link const&) = delete;
+    ~symbolic_link()
+    {
+        std::error_code ignored;
+        if (not from_.empty()) { std::filesystem::remove(from_, ignored); }
+    }
+
+private:
+    std::filesystem::path from_;
+};
+
+int run(options const& given)
+{
+    auto port = given.device.empty() ? support::serial_port::pseudo_terminal()
+                                     : support::serial_port::open(given.device, given.baud, given.format);
+    if (not port) {
+        std::cerr << given.device << ": " << std::strerror(errno) << '\n';
+        return 2;
+    }
+    auto const path    = port->name();
+    auto const silence = given.silence.value_or(rtu::timing::make(given.baud, given.format)->inter_frame());
+    server     server{std::move(*port), given.address, silence, device{support::data_model{given.sizes}}};
+    server.verbose = given.verbose;
+    if (not given.log.empty()) { server.log.open(given.log); }
+
+    symbolic_link const link{given.link, path};
+    std::cout << path << std::endl;
+    auto const ended_well = server.run();
+    server.print_counters();
+    if (not ended_well) { std::cerr << path << ": " << std::strerror(errno) << '\n'; }
+    return ended_well ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    struct sigaction action{};
+    action.sa_handler = [](int) { stop = 1; };  // without SA_RESTART: a signal ends the wait for bytes
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    try {
+        return run(parse({argc, argv}));
+    } catch (support::usage_error const& fault) {
+        std::cerr << "modbus_server: " << fault.what() << '\n' << usage;
+    } catch (std::exception const& fault) {
+        std::cerr << "modbus_server: " << fault.what() << '\n';
+    }
+    return 2;
+}
