@@ -8,6 +8,7 @@
 class fuzz_input {
 public:
     constexpr fuzz_input(std::uint8_t const* data, std::size_t size) noexcept : rest_{data, size} {}
+    constexpr explicit fuzz_input(std::span<std::uint8_t const> data) noexcept : rest_{data} {}
 
     [[nodiscard]] constexpr bool empty() const noexcept { return rest_.empty(); }
 
