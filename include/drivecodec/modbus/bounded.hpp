@@ -34,7 +34,10 @@ public:
     [[nodiscard]] static constexpr bool fits(std::size_t count) noexcept { return count >= Min and count <= Max; }
 
     /// Precondition: fits(values.size()).
-    [[nodiscard]] static constexpr bounded from_checked(Values values) noexcept { return bounded{values, checked{}}; }
+    [[nodiscard]] static constexpr bounded from_checked(Values const& values) noexcept
+    {
+        return bounded{values, checked{}};
+    }
 
     /// The same without the promise.
     [[nodiscard]] constexpr Values const& values() const noexcept { return *this; }
@@ -43,7 +46,7 @@ public:
 
 private:
     struct checked {};
-    constexpr bounded(Values values, checked) noexcept : Values{values} {}
+    constexpr bounded(Values const& values, checked) noexcept : Values{values} {}
 };
 
 /// Values for a run of consecutive addresses from `first` on: 1 to `Max` of them, none beyond 65535.
@@ -71,7 +74,7 @@ public:
     }
 
     /// Precondition: range_type::check(first, values.size()).ok().
-    [[nodiscard]] static constexpr address_block from_checked(std::uint16_t first, Values values) noexcept
+    [[nodiscard]] static constexpr address_block from_checked(std::uint16_t first, Values const& values) noexcept
     {
         return address_block{first, values, checked{}};
     }
@@ -85,7 +88,8 @@ public:
 
 private:
     struct checked {};
-    constexpr address_block(std::uint16_t first, Values values, checked) noexcept : first_{first}, values_{values} {}
+    constexpr address_block(std::uint16_t first, Values const& values, checked) noexcept : first_{first}, values_{values}
+    {}
 
     std::uint16_t first_;
     Values        values_;

@@ -28,28 +28,28 @@ using reply = result<typename Request::function::response, reply_error>;
 
 namespace detail {
 
-/// Is `pdu` a well-formed response of the function, or an exception?
+/// What a client of `code` that got an exception is told: the exception, or what is wrong with it.
+/// Precondition: exception_response::is_exception(pdu).
+[[nodiscard]] constexpr error check_exception(bytes pdu, function_code code) noexcept
+{
+    if (auto const fault = exception_response::check(pdu); not fault.ok()) { return fault; }
+    auto const refusal = exception_response::read(pdu);
+    if (refusal.refused != code) { return {errc::unexpected_function, layout::function.begin}; }
+    return reply_error{refusal.code};
+}
+
+/// What is wrong with `pdu` as a response of the function; an exception is wrong too.
 template <readable_message Response>
 [[nodiscard]] constexpr error check_response(bytes pdu) noexcept
 {
-    return exception_response::is_exception(pdu) ? exception_response::check(pdu) : Response::check(pdu);
-}
-
-/// What an exception tells the client that asked for `code`. Precondition: exception_response::check(pdu).ok().
-[[nodiscard]] constexpr reply_error to_reply_error(bytes pdu, function_code code) noexcept
-{
-    auto const refusal = exception_response::read(pdu);
-    if (refusal.refused != code) { return reply_error{error{errc::unexpected_function, layout::function.begin}}; }
-    return reply_error{refusal.code};
+    return exception_response::is_exception(pdu) ? check_exception(pdu, Response::function::code) : Response::check(pdu);
 }
 
 /// Precondition: check_response(pdu).ok(). Offsets count from `base` bytes before the PDU.
 template <message Request>
 [[nodiscard]] constexpr reply<Request> match_reply(Request const& asked, bytes pdu, std::size_t base) noexcept
 {
-    using response = typename Request::function::response;
-    if (exception_response::is_exception(pdu)) { return to_reply_error(pdu, Request::function::code); }
-    auto const given = response::read(pdu);
+    auto const given = Request::function::response::read(pdu);
     if (auto const fault = asked.matches(given); not fault.ok()) { return reply_error{fault.moved_by(base)}; }
     return given;
 }

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <drivecodec/modbus/answer.hpp>
 #include <drivecodec/modbus/functions.hpp>
 
 // The server's side of a PDU: a request in, the handler's answer out.
 
 namespace drivecodec::modbus {
-
-/// What a handler answers: a `T`, or why not.
-template <typename T>
-using answer = result<T, exception_code>;
-
-/// A handler's answer to a request that writes: it is done. The response repeats the request's fields.
-struct done {};
 
 namespace detail {
 
@@ -31,15 +25,13 @@ struct served<void, Handler> {
     using type = typename Handler::functions;
 };
 
-/// What became of a request, in one register: the size of the reply, 0 for silence, or the negative of an exception.
+/// What became of a request, in one register: the size of the reply that was written, 0 for silence, the negative of an
+/// exception, or `echo` and how many bytes of the request to repeat.
 using outcome = int;
 
-[[nodiscard]] constexpr outcome refuse(exception_code code) noexcept { return -static_cast<outcome>(code); }
+inline constexpr outcome echo = 0x100;
 
-template <typename T>
-inline constexpr bool is_answer = false;
-template <typename T>
-inline constexpr bool is_answer<result<T, exception_code>> = true;
+[[nodiscard]] constexpr outcome refuse(exception_code code) noexcept { return -static_cast<outcome>(code); }
 
 /// Writes the response if it fits; else it is exception 04.
 template <typename Response>
@@ -58,14 +50,18 @@ template <typename Request, typename Given>
     using response = typename Request::function::response;
     if constexpr (std::is_same_v<Given, exception_code>) {
         return refuse(given);
-    } else if constexpr (is_answer<Given>) {
+    } else if constexpr (requires { given.has_value(); }) {
         return given ? write_reply(asked, *given, out) : refuse(given.error());
     } else if constexpr (std::is_same_v<Given, done>) {
-        return write_response(asked.reply(), out);
+        if constexpr (requires { asked.echo_size(); }) {
+            return echo + static_cast<outcome>(asked.echo_size());
+        } else {
+            return write_response(asked.reply(), out);
+        }
     } else if constexpr (message<Given>) {
         return asked.matches(given).ok() ? write_response(given, out) : refuse(exception_code::server_device_failure);
-    } else if constexpr (requires { response::fits(given); }) {
-        return response::fits(given) ? write_reply(asked, response::from_checked(given), out)
+    } else if constexpr (requires { asked.asks_for(given); }) {
+        return asked.asks_for(given) ? write_response(values_payload{Request::function::code, given}, out)
                                      : refuse(exception_code::server_device_failure);
     } else {
         return write_reply(asked, response::make(given), out);
@@ -118,6 +114,14 @@ template <typename Functions = void, typename Handler>
         }
     });
     if (not fault.ok()) { given = detail::refuse(to_exception(fault)); }
+    if (given >= detail::echo) {
+        auto const repeated = pdu.first(static_cast<std::size_t>(given - detail::echo));
+        if (repeated.size() <= out.size()) {
+            copy_bytes(repeated, out);
+            return repeated.size();
+        }
+        given = detail::refuse(exception_code::server_device_failure);
+    }
     if (given >= 0) { return static_cast<std::size_t>(given); }
     auto const refused = static_cast<function_code>(layout::function.load(pdu));
     auto const refusal = exception_response{refused, static_cast<exception_code>(-given)};

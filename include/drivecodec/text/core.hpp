@@ -56,7 +56,7 @@ namespace drivecodec {
     return {};
 }
 
-/// What is wrong, and where: `bad_quantity at byte 4`, `truncated, 8 bytes needed`.
+/// What is wrong, and where: `bad_quantity at byte 4`, `truncated, 8 bytes needed`, `exception_reply 2`.
 constexpr void write_text(text_writer& out, error fault) noexcept
 {
     auto const name = to_string(fault.code());
@@ -68,6 +68,8 @@ constexpr void write_text(text_writer& out, error fault) noexcept
     if (fault.ok()) { return; }
     if (fault.code() == errc::truncated or fault.code() == errc::no_space) {
         out.put(", ").decimal(fault.offset()).put(" bytes needed");
+    } else if (fault.code() == errc::exception_reply) {
+        out.put(' ').decimal(fault.offset());
     } else {
         out.put(" at byte ").decimal(fault.offset());
     }

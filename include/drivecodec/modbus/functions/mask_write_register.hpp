@@ -53,7 +53,8 @@ struct mask_write_register::request {
         return static_cast<std::uint16_t>((current & and_mask) | (or_mask & ~and_mask));
     }
 
-    /// What a server says when it has done this.
+    /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
+    [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return wire_size(); }
     [[nodiscard]] constexpr response reply() const noexcept;
 
     [[nodiscard]] constexpr error matches(request const& given) const noexcept

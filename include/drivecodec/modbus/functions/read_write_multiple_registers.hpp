@@ -112,11 +112,19 @@ struct basic_read_write_multiple_registers<MaxRead, MaxWrite>::basic_request {
         write_block.values().write(out.subspan(at::values));
     }
 
-    /// Does the response hold as many registers as this asked for?
+    /// Are these as many registers as this asks for?
+    template <typename Given>
+        requires std::same_as<typename Given::addressed, registers>
+    [[nodiscard]] constexpr bool asks_for(Given const& values) const noexcept
+    {
+        return values.size() == read_range.count();
+    }
+
+    /// Does the response hold as many registers as this asks for?
     template <typename Response>
     [[nodiscard]] constexpr error matches(Response const& given) const noexcept
     {
-        return expect_equal(given.values.size() == read_range.count(), Response::byte_count_offset);
+        return expect_equal(asks_for(given.values), Response::byte_count_offset);
     }
 
     friend constexpr bool operator==(basic_request const&, basic_request const&) noexcept = default;

@@ -56,7 +56,8 @@ struct write_single_coil::request {
         at::value.store(out, value ? on : off);
     }
 
-    /// What a server says when it has done this.
+    /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
+    [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return wire_size(); }
     [[nodiscard]] constexpr response reply() const noexcept;
 
     [[nodiscard]] constexpr error matches(request const& given) const noexcept

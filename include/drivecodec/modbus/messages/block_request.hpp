@@ -77,7 +77,8 @@ struct block_request {
         block.values().write(out.subspan(at::values));
     }
 
-    /// What a server says when it has done this.
+    /// What a server says when it has done this: the first `echo_size()` bytes of the request.
+    [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return response::wire_size(); }
     [[nodiscard]] constexpr response reply() const noexcept { return {.range = block.range()}; }
 
     [[nodiscard]] constexpr error matches(response const& given) const noexcept

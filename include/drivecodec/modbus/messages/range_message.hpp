@@ -43,13 +43,20 @@ struct range_message {
         at::count.store(out, range.count());
     }
 
-    /// As a request: does the response hold as many values as this asked for?
+    /// As a request: are these as many values as it asks for?
+    template <typename Values>
+        requires std::same_as<typename Values::addressed, typename Range::addressed>
+    [[nodiscard]] constexpr bool asks_for(Values const& values) const noexcept
+    {
+        return values.wire_size() == Range::addressed::wire_size(range.count());
+    }
+
+    /// As a request: does the response hold as many values as it asks for?
     template <typename Response>
         requires requires(Response const& given) { given.values; }
     [[nodiscard]] constexpr error matches(Response const& given) const noexcept
     {
-        return expect_equal(given.values.wire_size() == Range::addressed::wire_size(range.count()),
-                            Response::byte_count_offset);
+        return expect_equal(asks_for(given.values), Response::byte_count_offset);
     }
 
     friend constexpr bool operator==(range_message const&, range_message const&) noexcept = default;

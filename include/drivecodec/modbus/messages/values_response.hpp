@@ -11,6 +11,28 @@ inline constexpr u8_at<1>    byte_count{};
 inline constexpr std::size_t values = byte_count.end;
 }  // namespace layout::values_response
 
+/// The wire form of all such responses; one function for all, for the sake of firmware.
+template <typename Values>
+struct values_payload {
+    function_code code;
+    Values const& values;
+
+    [[nodiscard]] constexpr std::size_t wire_size() const noexcept
+    {
+        return layout::values_response::values + values.wire_size();
+    }
+
+    constexpr void write(mutable_bytes out) const noexcept
+    {
+        namespace at = layout::values_response;
+        layout::function.store(out, to_byte(code));
+        at::byte_count.store(out, static_cast<std::uint8_t>(out.size() - at::values));
+        values.write(out.subspan(at::values));
+    }
+};
+template <typename Values>
+values_payload(function_code, Values const&) -> values_payload<Values>;
+
 /// The values that a read asked for: the responses 01 to 04 and 23.
 ///
 /// `Values` is a view or an array of registers or of coils; of coils, which come eight a byte, a whole number of
@@ -31,16 +53,8 @@ struct values_response {
     /// Errors: `bad_quantity` at the byte count.
     [[nodiscard]] static constexpr result<values_response> make(Values values_to_send) noexcept
     {
-        if (not fits(values_to_send)) { return error{errc::bad_quantity, byte_count_offset}; }
-        return from_checked(values_to_send);
-    }
-
-    [[nodiscard]] static constexpr bool fits(Values const& given) noexcept { return bounded_values::fits(given.size()); }
-
-    /// Precondition: fits(given).
-    [[nodiscard]] static constexpr values_response from_checked(Values const& given) noexcept
-    {
-        return {.values = bounded_values::from_checked(given)};
+        if (not bounded_values::fits(values_to_send.size())) { return error{errc::bad_quantity, byte_count_offset}; }
+        return values_response{.values = bounded_values::from_checked(values_to_send)};
     }
 
     [[nodiscard]] static constexpr std::size_t wire_size() noexcept
@@ -80,10 +94,7 @@ struct values_response {
 
     constexpr void write(mutable_bytes out) const noexcept
     {
-        namespace at = layout::values_response;
-        layout::function.store(out, to_byte(Function::code));
-        at::byte_count.store(out, static_cast<std::uint8_t>(values.wire_size()));
-        values.write(out.subspan(at::values));
+        values_payload{Function::code, values.values()}.write(out);
     }
 
     friend constexpr bool operator==(values_response const&, values_response const&) noexcept = default;

@@ -19,9 +19,10 @@ inline constexpr std::size_t around   = pdu + crc_size;  // the bytes that are n
 inline constexpr std::size_t min_adu_size = layout::adu::around + 1;
 inline constexpr std::size_t max_adu_size = layout::adu::around + max_pdu_size;
 
-/// The PDU in a whole frame. Precondition: adu.size() >= 3.
+/// The PDU in a whole frame; nothing if the frame is too short to have one.
 [[nodiscard]] constexpr bytes pdu_of(bytes adu) noexcept
 {
+    if (adu.size() < min_adu_size) { return {}; }
     return adu.subspan(layout::adu::pdu, adu.size() - layout::adu::around);
 }
 
@@ -42,21 +43,14 @@ constexpr void write_crc(mutable_bytes adu) noexcept
     u8_at<1>::store(adu.subspan(covered), static_cast<std::uint8_t>(crc >> 8));
 }
 
-/// No frame is shorter than 4 bytes, none is longer than 256.
-[[nodiscard]] constexpr error check_adu_size(bytes adu) noexcept
-{
-    if (adu.size() < min_adu_size) { return {errc::truncated, min_adu_size}; }
-    if (adu.size() > max_adu_size) { return {errc::trailing_bytes, max_adu_size}; }
-    return {};
-}
-
 /// What is wrong with a frame, of which `pdu_fault` tells what is wrong with its PDU: what a longer frame would mend,
 /// then what the line has damaged, then another address than `address`, then what the other side has sent wrongly.
-/// Precondition: check_adu_size(adu).ok().
+/// Of a frame without a PDU that is an empty one's: `truncated`.
 template <crc16::algorithm Crc>
 [[nodiscard]] constexpr error check_adu(bytes adu, std::uint8_t address, error pdu_fault) noexcept
 {
     if (pdu_fault.code() == errc::truncated) { return pdu_fault.moved_by(layout::adu::around); }
+    if (adu.size() > max_adu_size) { return {errc::trailing_bytes, max_adu_size}; }
     if (not has_valid_crc<Crc>(adu)) { return {errc::bad_checksum, adu.size() - layout::adu::crc_size}; }
     if (layout::adu::address.load(adu) != address) { return {errc::unexpected_server, layout::adu::address.begin}; }
     return pdu_fault.moved_by(layout::adu::pdu);
@@ -84,9 +78,9 @@ struct adu {
 
     [[nodiscard]] static constexpr error check(bytes wire) noexcept
     {
-        auto const fault = check_adu_size(wire);
-        if (not fault.ok()) { return fault; }
-        return check_adu<Crc>(wire, layout::adu::address.load(wire), Message::check(pdu_of(wire)));
+        // The address may be any, so it is compared with itself.
+        auto const address = wire.empty() ? std::uint8_t{0} : layout::adu::address.load(wire);
+        return check_adu<Crc>(wire, address, Message::check(pdu_of(wire)));
     }
 
     [[nodiscard]] static constexpr adu read(bytes wire) noexcept

@@ -23,11 +23,8 @@ template <crc16::algorithm Crc = crc16::by_default, message Request>
 [[nodiscard]] constexpr reply<Request> check(server_address address, Request const& asked, bytes adu) noexcept
 {
     if (not expects_reply(address, asked)) { return reply_error{error{errc::no_reply, 0}}; }
-    auto fault = check_adu_size(adu);
-    if (fault.ok()) {
-        auto const inner = detail::check_response<typename Request::function::response>(pdu_of(adu));
-        fault            = check_adu<Crc>(adu, address.byte(), inner);
-    }
+    auto const inner = detail::check_response<typename Request::function::response>(pdu_of(adu));
+    auto const fault = check_adu<Crc>(adu, address.byte(), inner);
     if (not fault.ok()) { return reply_error{fault}; }
     return detail::match_reply(asked, pdu_of(adu), layout::adu::pdu);
 }
