@@ -307,10 +307,12 @@ private:
         auto const was_listening_only = device_.listens_only;
         log_received(is_broadcast ? support::event_log::received.with(modbus::comm_event::broadcast_received)
                                   : support::event_log::received);
-        if (not was_listening_only or is_restart(found)) {
-            device_.refresh();
-            reply_ = rtu::serve(own_, found, reply_buffer_, device_);
+        if (was_listening_only and not is_restart(found)) {
+            ++device_.counters.without_response;
+            return;
         }
+        device_.refresh();
+        reply_ = rtu::serve(own_, found, reply_buffer_, device_);
         if (was_listening_only) { reply_ = {}; }
         count_reply(found);
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <string_view>
 
 #include <fcntl.h>
 #include <sys/select.h>
@@ -57,11 +58,19 @@ termios raw_settings(character_format format)
     return settings;
 }
 
+bool is_pseudo_terminal(int descriptor)
+{
+    auto const* name = ttyname(descriptor);
+    return name != nullptr and std::string_view{name}.starts_with("/dev/pts/");
+}
+
 bool configure(int descriptor, speed_t speed, character_format format)
 {
     auto settings = raw_settings(format);
-    return cfsetispeed(&settings, speed) == 0 and cfsetospeed(&settings, speed) == 0
-           and tcsetattr(descriptor, TCSANOW, &settings) == 0;
+    if (cfsetispeed(&settings, speed) != 0 or cfsetospeed(&settings, speed) != 0) { return false; }
+    // A pseudo-terminal has no parity bit; a C library that looks whether it was set reports an error.
+    if (is_pseudo_terminal(descriptor)) { settings.c_cflag &= ~static_cast<tcflag_t>(PARENB | PARODD); }
+    return tcsetattr(descriptor, TCSANOW, &settings) == 0;
 }
 
 bool wait_readable(int descriptor, std::optional<std::uint32_t> timeout)
