@@ -32,10 +32,11 @@ namespace detail {
 /// Precondition: exception_response::is_exception(pdu).
 [[nodiscard]] constexpr error check_exception(bytes pdu, function_code code) noexcept
 {
-    if (auto const fault = exception_response::check(pdu); not fault.ok()) { return fault; }
-    auto const refusal = exception_response::read(pdu);
-    if (refusal.refused != code) { return {errc::unexpected_function, layout::function.begin}; }
-    return reply_error{refusal.code};
+    if (layout::function.load(pdu) != (to_byte(code) | exception_bit)) {
+        return {errc::unexpected_function, layout::function.begin};
+    }
+    auto const fault = exception_response::check(pdu);
+    return fault.ok() ? reply_error{exception_response::read(pdu).code} : fault;
 }
 
 /// What is wrong with `pdu` as a response of the function; an exception is wrong too.

@@ -66,10 +66,10 @@ public:
     constexpr std::span<std::uint16_t> copy_to(std::span<std::uint16_t> to) const noexcept
     {
         to = to.first(to.size() < size_ ? to.size() : size_);
-        if (host_) {
-            for (std::size_t i = 0; i < to.size(); ++i) { to.data()[i] = words_[i]; }
-        } else {
+        if (is_host and not host_) {
             load_be16(bytes{wire_, 2 * to.size()}, to);
+        } else {
+            for (std::size_t i = 0; i < to.size(); ++i) { to.data()[i] = (*this)[i]; }
         }
         return to;
     }
@@ -77,10 +77,12 @@ public:
     /// Precondition: out.size() == wire_size().
     constexpr void write(mutable_bytes out) const noexcept
     {
-        if (host_) {
+        if (is_host and host_) {
             store_be16({words_, size_}, out);
-        } else {
+        } else if (is_host) {
             copy_bytes({wire_, out.size()}, out);
+        } else {
+            for (std::size_t i = 0; i < size_; ++i) { be16_at<0>::store(out.subspan(2 * i), (*this)[i]); }
         }
     }
 
