@@ -54,21 +54,28 @@ TEST(text_writer, writes_all_hexadecimal_digits_of_the_type)
     VERIFY(writes("0123456789ABCDEF", [](auto& out) { out.hex(std::uint64_t{0x0123'4567'89AB'CDEF}); }));
 }
 
+// Not in the lambdas: Clang 14 would call the literal at run time.
+constexpr auto one         = "2A"_hex;
+constexpr auto three       = "2A 00 FF"_hex;
+constexpr auto ascii       = "56 32 2E 31 31"_hex;
+constexpr auto unprintable = "00 1F 20 7E 7F 80 FF"_hex;
+constexpr auto special     = "22 5C"_hex;
+
 TEST(text_writer, writes_bytes)
 {
     VERIFY(writes("", [](auto& out) { out.hex(bytes{}); }));
-    VERIFY(writes("2A", [](auto& out) { out.hex("2A"_hex); }));
-    VERIFY(writes("2A 00 FF", [](auto& out) { out.hex("2A 00 FF"_hex); }));
-    VERIFY(writes("2A00FF", [](auto& out) { out.hex("2A 00 FF"_hex, ""); }));
-    VERIFY(writes("2A, 00", [](auto& out) { out.hex("2A 00"_hex, ", "); }));
+    VERIFY(writes("2A", [](auto& out) { out.hex(one); }));
+    VERIFY(writes("2A 00 FF", [](auto& out) { out.hex(three); }));
+    VERIFY(writes("2A00FF", [](auto& out) { out.hex(three, ""); }));
+    VERIFY(writes("2A, 00, FF", [](auto& out) { out.hex(three, ", "); }));
 }
 
 TEST(text_writer, escapes_what_is_not_printable)
 {
     VERIFY(writes(R"("")", [](auto& out) { out.quoted(bytes{}); }));
-    VERIFY(writes(R"("V2.11")", [](auto& out) { out.quoted("56 32 2E 31 31"_hex); }));
-    VERIFY(writes(R"("\x00\x1F ~\x7F\x80\xFF")", [](auto& out) { out.quoted("00 1F 20 7E 7F 80 FF"_hex); }));
-    VERIFY(writes(R"("\"\\")", [](auto& out) { out.quoted("22 5C"_hex); }));
+    VERIFY(writes(R"("V2.11")", [](auto& out) { out.quoted(ascii); }));
+    VERIFY(writes(R"("\x00\x1F ~\x7F\x80\xFF")", [](auto& out) { out.quoted(unprintable); }));
+    VERIFY(writes(R"("\"\\")", [](auto& out) { out.quoted(special); }));
 }
 
 TEST(text_writer, only_measures_without_a_buffer)
