@@ -1,7 +1,7 @@
 // The stream reader against a second, slow one, which looks at all the bytes that have come each time: frames, runs of
 // dropped bytes, their order and the counters are the same, however the stream is cut into chunks.
 //
-// Input: what to expect, own address, how many events, the events (bytes to wait, kind), the stream.
+// Input: what to expect and how to feed, own address, how many events, the events (bytes to wait, kind), the stream.
 #include "fuzz_common.hpp"
 #include "input.hpp"
 #include "repair_crc16.hpp"
@@ -25,6 +25,14 @@ struct event {
     event_kind  kind;
 };
 
+/// How the library's reader gets its bytes.
+enum class feeding : std::uint8_t {
+    byte_by_byte,  // and looks after each
+    in_chunks,     // as the events tell
+    until_full,    // looks only when there is no room, or when it must
+    committed,     // in pieces straight into the buffer
+};
+
 struct item {
     bool        is_frame  = false;
     std::size_t begin     = 0;
@@ -39,6 +47,7 @@ struct item {
 struct scenario {
     rtu::expecting     what = rtu::expecting::either;
     std::uint8_t       own  = 0;
+    feeding            how  = feeding::in_chunks;
     std::vector<event> events;
     bytes              stream;
 };
@@ -50,6 +59,7 @@ constexpr std::size_t max_events = 32;
     scenario   made;
     auto const what = input.u8();
     made.what       = static_cast<rtu::expecting>(what % 3);
+    made.how        = static_cast<feeding>(1 + what / 3 % 3);
     made.own        = input.u8();
     auto const  count = input.u8() % max_events;
     std::size_t at    = 0;
@@ -194,13 +204,6 @@ private:
 
 //=== the library's ===//
 
-enum class feeding {
-    byte_by_byte,  // and looks after each
-    in_chunks,     // as the events tell
-    until_full,    // looks only when there is no room, or when it must
-    committed,     // in pieces straight into the buffer
-};
-
 class fast_reader {
 public:
     fast_reader(scenario const& told, feeding how) : stream_{told.stream}, how_{how}
@@ -331,7 +334,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     for (auto const& i : slow.items) { given += i.size; }
     FUZZ_ASSERT(given == told.stream.size());
 
-    for (auto const how : {feeding::byte_by_byte, feeding::in_chunks, feeding::until_full, feeding::committed}) {
+    for (auto const how : {feeding::byte_by_byte, told.how}) {
         fast_reader fast{told, how};
         for (auto const& e : told.events) { fast.on(e); }
         FUZZ_ASSERT(fast.items == slow.items);
