@@ -11,10 +11,10 @@ using rtu::server_address;
 
 TEST(rtu_server_address, is_1_to_247_as_a_constant)
 {
-    VERIFY(server_address{1}.byte() == 1);
-    VERIFY(server_address{247}.byte() == 247);
-    VERIFY(not server_address{1}.is_broadcast());
-    VERIFY(not server_address{247}.is_reserved());
+    static constexpr server_address first = 1;
+    static constexpr server_address last  = 247;
+    VERIFY(first.byte() == 1 and not first.is_broadcast() and not first.is_reserved());
+    VERIFY(last.byte() == 247 and not last.is_broadcast() and not last.is_reserved());
 }
 
 TEST(rtu_server_address, is_made_of_a_byte_that_is_not_reserved)
@@ -46,13 +46,14 @@ TEST(rtu_server_address, is_any_byte_for_who_says_so)
 
 TEST(rtu_server_address, is_compared_by_its_byte)
 {
-    VERIFY(server_address{17} == *server_address::make(17));
-    VERIFY(server_address{17} != server_address{18});
+    static constexpr server_address seventeen = 17;
+    VERIFY(seventeen == *server_address::make(17));
+    VERIFY(seventeen != *server_address::make(18));
 }
 
 TEST(rtu_server_address, is_the_broadcast_by_name)
 {
-    constexpr server_address all = rtu::broadcast;
+    static constexpr server_address all = rtu::broadcast;
     VERIFY(all.is_broadcast());
     VERIFY(all == *server_address::make(0));
     static_assert(sizeof(server_address) == 1);
