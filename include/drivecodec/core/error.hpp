@@ -49,7 +49,9 @@ public:
     /// The same error, seen from an outer layer in which these bytes begin at `base`. An exception is nowhere.
     [[nodiscard]] constexpr error moved_by(std::size_t base) const noexcept
     {
-        return ok() or code() == errc::exception_reply ? *this : error{code(), offset() + base};
+        auto moved = *this;
+        if (not ok() and code() != errc::exception_reply) { moved.packed_ += static_cast<std::uint32_t>(base) << code_bits; }
+        return moved;
     }
 
     friend constexpr bool operator==(error, error) noexcept = default;

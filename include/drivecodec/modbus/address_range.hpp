@@ -47,8 +47,7 @@ inline constexpr std::uint16_t last_address = 0xFFFF;
 [[nodiscard]] constexpr error check_range(std::uint16_t first, std::uint16_t count, std::uint16_t max) noexcept
 {
     if (count < 1 or count > max) { return {errc::bad_quantity, 2}; }
-    if (first + count > last_address + 1) { return {errc::bad_address, 0}; }
-    return {};
+    return first + count > last_address + 1 ? error{errc::bad_address, 0} : error{};
 }
 
 /// A run of consecutive addresses: 1 to `Max` of them, none beyond 65535.

@@ -79,6 +79,12 @@ public:
         return address_block{first, values, checked{}};
     }
 
+    /// The same with `count` values in `wire`.
+    [[nodiscard]] static constexpr address_block of_wire(std::uint16_t first, bytes wire, std::uint16_t count) noexcept
+    {
+        return {first, wire, count};
+    }
+
     [[nodiscard]] constexpr std::uint16_t first() const noexcept { return first_; }
     [[nodiscard]] constexpr std::uint16_t count() const noexcept { return static_cast<std::uint16_t>(values_.size()); }
     [[nodiscard]] constexpr Values const& values() const noexcept { return values_; }
@@ -89,6 +95,10 @@ public:
 private:
     struct checked {};
     constexpr address_block(std::uint16_t first, Values const& values, checked) noexcept : first_{first}, values_{values}
+    {}
+
+    constexpr address_block(std::uint16_t first, bytes wire, std::uint16_t count) noexcept
+        : first_{first}, values_{Values::of_wire(wire, count)}
     {}
 
     std::uint16_t first_;

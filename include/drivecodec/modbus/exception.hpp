@@ -62,7 +62,7 @@ struct exception_response {
 
     constexpr void write(mutable_bytes out) const noexcept
     {
-        layout::function.store(out, to_byte(refused) | exception_bit);
+        layout::function.store(out, static_cast<std::uint8_t>(to_byte(refused) | exception_bit));
         u8_at<1>::store(out, static_cast<std::uint8_t>(code));
     }
 

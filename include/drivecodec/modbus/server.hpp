@@ -43,6 +43,15 @@ template <typename Response>
     return static_cast<outcome>(size);
 }
 
+/// Writes the first `size` bytes of the request if they fit; else it is exception 04.
+[[nodiscard]] constexpr outcome repeat(bytes pdu, outcome size, mutable_bytes out) noexcept
+{
+    auto const repeated = pdu.first(static_cast<std::size_t>(size));
+    if (repeated.size() > out.size()) { return refuse(exception_code::server_device_failure); }
+    copy_bytes(repeated, out);
+    return size;
+}
+
 /// Writes the reply that `given` stands for; one that does not answer `asked`, or does not fit, becomes exception 04.
 template <typename Request, typename Given>
 [[nodiscard]] constexpr outcome write_reply(Request const& asked, Given const& given, mutable_bytes out) noexcept
@@ -114,18 +123,12 @@ template <typename Functions = void, typename Handler>
         }
     });
     if (not fault.ok()) { given = detail::refuse(to_exception(fault)); }
-    if (given >= detail::echo) {
-        auto const repeated = pdu.first(static_cast<std::size_t>(given - detail::echo));
-        if (repeated.size() <= out.size()) {
-            copy_bytes(repeated, out);
-            return repeated.size();
-        }
-        given = detail::refuse(exception_code::server_device_failure);
-    }
+    if (given >= detail::echo) { given = detail::repeat(pdu, given - detail::echo, out); }
     if (given >= 0) { return static_cast<std::size_t>(given); }
+    if (out.size() < exception_response::wire_size()) { return 0; }
     auto const refused = static_cast<function_code>(layout::function.load(pdu));
-    auto const refusal = exception_response{refused, static_cast<exception_code>(-given)};
-    return out.size() < refusal.wire_size() ? 0 : static_cast<std::size_t>(detail::write_response(refusal, out));
+    exception_response{refused, static_cast<exception_code>(-given)}.write(out);
+    return exception_response::wire_size();
 }
 
 }  // namespace drivecodec::modbus

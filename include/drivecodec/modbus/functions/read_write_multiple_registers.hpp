@@ -94,10 +94,10 @@ struct basic_read_write_multiple_registers<MaxRead, MaxWrite>::basic_request {
 
     [[nodiscard]] static constexpr basic_request read(bytes pdu) noexcept
     {
-        namespace at      = layout::read_write_multiple_registers_request;
-        auto const values = Values::of_wire(pdu.subspan(at::values), at::write_count.load(pdu));
+        namespace at = layout::read_write_multiple_registers_request;
         return {.read_range  = range_to_read::from_checked(at::read_first.load(pdu), at::read_count.load(pdu)),
-                .write_block = block_to_write::from_checked(at::write_first.load(pdu), values)};
+                .write_block = block_to_write::of_wire(at::write_first.load(pdu), pdu.subspan(at::values),
+                                                       at::write_count.load(pdu))};
     }
 
     constexpr void write(mutable_bytes out) const noexcept

@@ -62,9 +62,8 @@ struct block_request {
 
     [[nodiscard]] static constexpr block_request read(bytes pdu) noexcept
     {
-        namespace at      = layout::block_request;
-        auto const values = Values::of_wire(pdu.subspan(at::values), at::count.load(pdu));
-        return {.block = address_block<Values, Max>::from_checked(at::first.load(pdu), values)};
+        namespace at = layout::block_request;
+        return {.block = address_block<Values, Max>::of_wire(at::first.load(pdu), pdu.subspan(at::values), at::count.load(pdu))};
     }
 
     constexpr void write(mutable_bytes out) const noexcept
