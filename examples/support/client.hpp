@@ -52,7 +52,7 @@ public:
         if (not frame) { return modbus::reply<Request>{modbus::reply_error{frame.error()}}; }
         if (not rtu::expects_reply(server, asked)) {
             if (not send(*frame)) { return std::nullopt; }
-            return rtu::check(server, asked, drivecodec::bytes{});
+            return modbus::reply<Request>{modbus::reply_error{drivecodec::error{errc::no_reply, 0}}};
         }
         return exchange(*frame, [&](drivecodec::bytes heard) -> std::optional<modbus::reply<Request>> {
             auto const answer = rtu::check(server, asked, heard);
