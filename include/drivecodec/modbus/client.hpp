@@ -28,25 +28,19 @@ using reply = result<typename Request::function::response, reply_error>;
 
 namespace detail {
 
-/// What a client of `code` that got an exception is told: the exception, or what is wrong with it.
-/// Precondition: exception_response::is_exception(pdu).
-[[nodiscard]] constexpr error check_exception(bytes pdu, function_code code) noexcept
+/// What is wrong with `pdu` for a client of `code`, where `fault` is what is wrong with it as a response of that function:
+/// of an exception that is its code, or what is wrong with the exception.
+[[nodiscard]] constexpr error or_exception(error fault, bytes pdu, function_code code) noexcept
 {
+    if (not exception_response::is_exception(pdu)) { return fault; }
     if (layout::function.load(pdu) != (to_byte(code) | exception_bit)) {
         return {errc::unexpected_function, layout::function.begin};
     }
-    auto const fault = exception_response::check(pdu);
-    return fault.ok() ? reply_error{exception_response::read(pdu).code} : fault;
+    auto const malformed = exception_response::check(pdu);
+    return malformed.ok() ? reply_error{exception_response::read(pdu).code} : malformed;
 }
 
-/// What is wrong with `pdu` as a response of the function; an exception is wrong too.
-template <readable_message Response>
-[[nodiscard]] constexpr error check_response(bytes pdu) noexcept
-{
-    return exception_response::is_exception(pdu) ? check_exception(pdu, Response::function::code) : Response::check(pdu);
-}
-
-/// Precondition: check_response(pdu).ok(). Offsets count from `base` bytes before the PDU.
+/// Precondition: `pdu` is a response of the function. Offsets count from `base` bytes before the PDU.
 template <message Request>
 [[nodiscard]] constexpr reply<Request> match_reply(Request const& asked, bytes pdu, std::size_t base) noexcept
 {
@@ -65,7 +59,8 @@ template <message Request>
 [[nodiscard]] constexpr reply<Request> check_reply(Request const& asked, bytes pdu) noexcept
 {
     if (not expects_reply(asked)) { return reply_error{error{errc::no_reply, 0}}; }
-    auto const fault = detail::check_response<typename Request::function::response>(pdu);
+    using function   = typename Request::function;
+    auto const fault = detail::or_exception(function::response::check(pdu), pdu, function::code);
     if (not fault.ok()) { return reply_error{fault}; }
     return detail::match_reply(asked, pdu, 0);
 }

@@ -110,7 +110,7 @@ template <typename F, typename Handler>
 template <typename Functions = void, typename Handler>
 [[nodiscard]] constexpr std::size_t serve_pdu(bytes pdu, mutable_bytes out, Handler&& handler) noexcept
 {
-    using set     = typename detail::served<Functions, std::remove_cvref_t<Handler>>::type;
+    using set          = typename detail::served<Functions, std::remove_cvref_t<Handler>>::type;
     using handler_type = std::remove_reference_t<Handler>;
 
     if (pdu.empty() or exception_response::is_exception(pdu)) { return 0; }

@@ -19,11 +19,16 @@ inline constexpr std::size_t around   = pdu + crc_size;  // the bytes that are n
 inline constexpr std::size_t min_adu_size = layout::adu::around + 1;
 inline constexpr std::size_t max_adu_size = layout::adu::around + max_pdu_size;
 
-/// The PDU in a whole frame; nothing if the frame is too short to have one.
+/// The PDU in a whole frame. Precondition: adu.size() >= min_adu_size.
 [[nodiscard]] constexpr bytes pdu_of(bytes adu) noexcept
 {
-    if (adu.size() < min_adu_size) { return {}; }
     return adu.subspan(layout::adu::pdu, adu.size() - layout::adu::around);
+}
+
+/// The PDU in what may be a frame; nothing if it is too short to have one.
+[[nodiscard]] constexpr bytes pdu_or_nothing(bytes adu) noexcept
+{
+    return adu.size() < min_adu_size ? bytes{} : pdu_of(adu);
 }
 
 /// Does the frame end with the CRC of what is before it? Precondition: adu.size() >= 2.
@@ -80,7 +85,7 @@ struct adu {
     {
         // The address may be any, so it is compared with itself.
         auto const address = wire.empty() ? std::uint8_t{0} : layout::adu::address.load(wire);
-        return check_adu<Crc>(wire, address, Message::check(pdu_of(wire)));
+        return check_adu<Crc>(wire, address, Message::check(pdu_or_nothing(wire)));
     }
 
     [[nodiscard]] static constexpr adu read(bytes wire) noexcept

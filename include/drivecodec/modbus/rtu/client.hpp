@@ -15,6 +15,17 @@ template <message Request>
     return not address.is_broadcast() and modbus::expects_reply(asked);
 }
 
+namespace detail {
+
+/// One function for all requests, for the sake of firmware.
+template <crc16::algorithm Crc>
+[[nodiscard]] constexpr error check_reply_adu(bytes adu, std::uint8_t address, function_code code, error fault) noexcept
+{
+    return check_adu<Crc>(adu, address, modbus::detail::or_exception(fault, pdu_or_nothing(adu), code));
+}
+
+}  // namespace detail
+
 /// The response in the frame `adu`, if it is the reply of the server `address` to `asked`; a stale or foreign reply is not.
 ///
 /// Errors, with offsets in `adu`: `no_reply` to a broadcast; `truncated`, `bad_checksum`, `unexpected_server`; those of
@@ -23,10 +34,11 @@ template <crc16::algorithm Crc = crc16::by_default, message Request>
 [[nodiscard]] constexpr reply<Request> check(server_address address, Request const& asked, bytes adu) noexcept
 {
     if (not expects_reply(address, asked)) { return reply_error{error{errc::no_reply, 0}}; }
-    auto const inner = detail::check_response<typename Request::function::response>(pdu_of(adu));
-    auto const fault = check_adu<Crc>(adu, address.byte(), inner);
+    using function   = typename Request::function;
+    auto const inner = function::response::check(pdu_or_nothing(adu));
+    auto const fault = detail::check_reply_adu<Crc>(adu, address.byte(), function::code, inner);
     if (not fault.ok()) { return reply_error{fault}; }
-    return detail::match_reply(asked, pdu_of(adu), layout::adu::pdu);
+    return modbus::detail::match_reply(asked, pdu_of(adu), layout::adu::pdu);
 }
 
 /// Refused: a response that borrows its bytes would outlive them. Name the buffer first.
