@@ -21,7 +21,7 @@ struct registers {
     [[nodiscard]] static constexpr std::size_t max_count(std::size_t wire_bytes) noexcept { return wire_bytes / 2; }
 
     template <int Min, int Max>
-    static consteval void refuse_count()
+    static constexpr void refuse_count()
     {
         compile_error::register_count_must_be_between<Min, Max>();
     }
@@ -32,7 +32,7 @@ struct coils {
     [[nodiscard]] static constexpr std::size_t max_count(std::size_t wire_bytes) noexcept { return wire_bytes * 8; }
 
     template <int Min, int Max>
-    static consteval void refuse_count()
+    static constexpr void refuse_count()
     {
         compile_error::coil_count_must_be_between<Min, Max>();
     }
