@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Bytes of a Modbus RTU line, in hexadecimal or live from a serial device, as readable frames: `decode --help`.
+#include "support/arguments.hpp"
 #include "support/hex.hpp"
 #include "support/modbus_json.hpp"
 #include "support/serial_port.hpp"
@@ -11,14 +12,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <csignal>
-#include <cstring>
+#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -60,108 +61,57 @@ struct options {
     rtu::character_format        format = rtu::format_8e1;
     std::optional<std::uint32_t> silence;  // microseconds
     std::uint32_t                timeout = 1000;
-    std::string                  hex;
-    bool                         has_hex = false;
+    std::optional<std::string>   hex;
 };
 
 //=== command line ===//
 
-/// Says what is wrong and what to do about it.
-bool refuse(std::string_view problem)
-{
-    std::cerr << "decode: " << problem << "; see decode --help\n";
-    return false;
-}
-
-bool parse(std::string_view text, std::uint32_t& number)
-{
-    auto const [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return fault == std::errc{} and end == text.data() + text.size() and number > 0;
-}
-
-bool parse(std::string_view text, rtu::expecting& expect)
+rtu::expecting to_expecting(std::string const& word)
 {
     for (auto const what : {rtu::expecting::either, rtu::expecting::request, rtu::expecting::response}) {
-        if (text == to_string(what)) {
-            expect = what;
-            return true;
+        if (word == to_string(what)) { return what; }
+    }
+    throw support::usage_error{"'" + word + "' is none of request, response, either"};
+}
+
+options parse(support::arguments words)
+{
+    options chosen;
+    while (not words.empty()) {
+        if (not words.is_option()) {
+            chosen.hex = chosen.hex.value_or("") + words.next("") + ' ';
+            continue;
         }
-    }
-    return false;
-}
-
-bool parse(std::string_view text, rtu::character_format& format)
-{
-    for (auto const parity : {rtu::parity::none, rtu::parity::even, rtu::parity::odd}) {
-        for (auto const stop_bits : {rtu::stop_bits::one, rtu::stop_bits::two}) {
-            std::array<char, 3> name;
-            format = {parity, stop_bits};
-            if (text == drivecodec::describe(format, name)) { return true; }
-        }
-    }
-    return false;
-}
-
-bool parse(std::string_view text, std::optional<std::uint32_t>& number)
-{
-    return parse(text, number.emplace());
-}
-
-bool parse(std::string_view text, std::string& path)
-{
-    path = text;
-    return not path.empty();
-}
-
-/// `--name=value` or `--name value`: takes the value that belongs to the option at `index`.
-template <typename Value>
-bool take(std::vector<std::string_view> const& arguments, std::size_t& index, Value& into)
-{
-    auto const argument = arguments[index];
-    auto const equals   = argument.find('=');
-    if (equals == std::string_view::npos and index + 1 == arguments.size()) {
-        return refuse(std::string{argument} + " needs a value");
-    }
-    auto const value = equals == std::string_view::npos ? arguments[++index] : argument.substr(equals + 1);
-    if (parse(value, into)) { return true; }
-    return refuse(std::string{argument.substr(0, equals)} + " cannot be '" + std::string{value} + "'");
-}
-
-bool parse(std::vector<std::string_view> const& arguments, options& chosen)
-{
-    auto only_hex = false;
-    for (std::size_t index = 0; index < arguments.size(); ++index) {
-        auto const argument = arguments[index];
-        auto const name     = argument.substr(0, argument.find('='));
-        auto       is_fine  = true;
-        if (only_hex or not argument.starts_with("--")) {
-            chosen.hex.append(argument).append(" ");
-            chosen.has_hex = true;
-        } else if (argument == "--") {
-            only_hex = true;
-        } else if (argument == "--help") {
+        auto const word   = words.next("");
+        auto const equals = word.find('=');
+        auto const name   = word.substr(0, equals);
+        auto const value  = [&] {  // --name value or --name=value
+            return equals == std::string::npos ? words.next("the value of " + name) : word.substr(equals + 1);
+        };
+        if (word == "--help") {
             chosen.help = true;
-        } else if (argument == "--json") {
+        } else if (word == "--json") {
             chosen.json = true;
         } else if (name == "--expect") {
-            is_fine = take(arguments, index, chosen.expect);
+            chosen.expect = to_expecting(value());
         } else if (name == "--device") {
-            is_fine = take(arguments, index, chosen.device);
+            chosen.device = value();
         } else if (name == "--baud") {
-            is_fine = take(arguments, index, chosen.baud);
+            chosen.baud = support::to<std::uint32_t>(value(), 1);
         } else if (name == "--format") {
-            is_fine = take(arguments, index, chosen.format);
+            chosen.format = support::to_format(value());
         } else if (name == "--silence") {
-            is_fine = take(arguments, index, chosen.silence);
+            chosen.silence = support::to<std::uint32_t>(value(), 1);
         } else if (name == "--timeout") {
-            is_fine = take(arguments, index, chosen.timeout);
+            chosen.timeout = support::to<std::uint32_t>(value(), 1);
         } else {
-            is_fine = refuse("there is no option " + std::string{argument});
+            throw support::usage_error{"there is no option " + word};
         }
-        if (not is_fine) { return false; }
     }
-    if (chosen.has_hex and not chosen.device.empty()) { return refuse("either hexadecimal or --device, not both"); }
-    return true;
+    if (chosen.hex and not chosen.device.empty()) {
+        throw support::usage_error{"either hexadecimal or --device, not both"};
+    }
+    return chosen;
 }
 
 //=== what comes out ===//
@@ -250,21 +200,21 @@ private:
 
 //=== hexadecimal ===//
 
-bool decode_line(printer& out, std::string_view line, std::string_view where)
+void decode_line(printer& out, std::string_view line, std::string const& where)
 {
     auto const parsed = support::parse_hex(line);
     if (parsed.column != 0) {
-        return refuse(std::string{where} + "character " + std::to_string(parsed.column) + ": " + parsed.problem);
+        throw support::usage_error{where + "character " + std::to_string(parsed.column) + ": " + parsed.problem};
     }
     out.push(parsed.bytes);
     out.silence();
-    return true;
 }
 
 int decode_arguments(options const& chosen)
 {
     printer out{chosen};
-    return decode_line(out, chosen.hex, "") ? out.exit_status() : wrong_usage;
+    decode_line(out, *chosen.hex, "");
+    return out.exit_status();
 }
 
 int decode_lines(options const& chosen)
@@ -272,18 +222,22 @@ int decode_lines(options const& chosen)
     printer     out{chosen};
     std::string line;
     for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
-        if (not decode_line(out, line, "line " + std::to_string(number) + ", ")) { return wrong_usage; }
+        decode_line(out, line, "line " + std::to_string(number) + ", ");
     }
     return out.exit_status();
 }
 
 //=== a live line ===//
 
-volatile std::sig_atomic_t stopped = 0;
+volatile std::sig_atomic_t& stopped()
+{
+    static volatile std::sig_atomic_t flag = 0;
+    return flag;
+}
 
 void stop(int)
 {
-    stopped = 1;
+    stopped() = 1;
 }
 
 int listen(options const& chosen)
@@ -294,9 +248,10 @@ int listen(options const& chosen)
 
     auto port = support::serial_port::open(chosen.device, chosen.baud, chosen.format);
     if (not port) {
-        auto const* reason = errno == EINVAL ? "no serial device, or none with this baud rate" : std::strerror(errno);
-        refuse("cannot open " + chosen.device + " with " + std::to_string(chosen.baud) + " baud: " + reason);
-        return wrong_usage;
+        auto const reason = errno == EINVAL ? std::string{"not a baud rate of this device"}
+                                            : std::error_code{errno, std::generic_category()}.message();
+        throw support::usage_error{"cannot open " + chosen.device + " with " + std::to_string(chosen.baud)
+                                   + " baud: " + reason};
     }
     auto const silence = chosen.silence.value_or(
         std::max(rtu::timing::make(chosen.baud, chosen.format)->inter_frame(), usb_latency));
@@ -305,21 +260,21 @@ int listen(options const& chosen)
     static_cast<void>(std::signal(SIGTERM, stop));
     printer out{chosen};
     auto    heard = clock::now();
-    for (auto is_silent = true; stopped == 0;) {
-        auto const received = port->read(out.reader().prepare(), is_silent ? patience : silence);
+    for (auto is_silent = true; stopped() == 0;) {
+        auto const is_idle  = is_silent and not out.is_waiting_for_response();
+        auto const received = port->read(out.reader().prepare(), is_idle ? patience : silence);
         if (not received) { break; }
-        if (*received > 0) {
+        if (out.is_waiting_for_response() and clock::now() - heard > std::chrono::milliseconds{chosen.timeout}) {
+            out.request_timed_out();
+        }
+        is_silent = *received == 0;
+        if (is_silent) {
+            out.silence();
+        } else {
             out.reader().commit(*received);
             out.print_all();
             heard = clock::now();
-        } else {
-            out.silence();
-            auto const waited = clock::now() - heard;
-            if (out.is_waiting_for_response() and waited > std::chrono::milliseconds{chosen.timeout}) {
-                out.request_timed_out();
-            }
         }
-        is_silent = *received == 0;
     }
     out.silence();
     out.print_counters();
@@ -330,12 +285,18 @@ int listen(options const& chosen)
 
 int main(int argc, char** argv)
 {
-    options chosen;
-    if (not parse({argv + 1, argv + argc}, chosen)) { return wrong_usage; }
-    if (chosen.help) {
-        std::cout << usage;
-        return nothing_dropped;
+    try {
+        auto const chosen = parse({argc, argv});
+        if (chosen.help) {
+            std::cout << usage;
+            return nothing_dropped;
+        }
+        if (not chosen.device.empty()) { return listen(chosen); }
+        return chosen.hex ? decode_arguments(chosen) : decode_lines(chosen);
+    } catch (support::usage_error const& problem) {
+        std::cerr << "decode: " << problem.what() << "; see decode --help\n";
+    } catch (std::exception const& problem) {
+        std::cerr << "decode: " << problem.what() << '\n';
     }
-    if (not chosen.device.empty()) { return listen(chosen); }
-    return chosen.has_hex ? decode_arguments(chosen) : decode_lines(chosen);
+    return wrong_usage;
 }

@@ -50,7 +50,7 @@ parsed_hex parse_hex(std::string_view line)
                                 and is_either(line[at + 1], 'x', 'X');
         if (has_prefix) {
             at += 2;
-            if (at == line.size() or digit_of(line[at]) < 0) { return refuse(at - 1, "no digits behind the prefix"); }
+            if (at == line.size() or digit_of(line[at]) < 0) { return refuse(at - 2, "no digits behind the prefix"); }
         }
         auto const first = at;
         while (at < line.size() and digit_of(line[at]) >= 0) { ++at; }

@@ -91,7 +91,8 @@ std::string to_json(modbus::rtu::frame const& found, bytes request)
     auto const add_fields = [&]<typename Message>(Message const& message) {
         if constexpr (modbus::has_fields<Message>) { for_each_field(message, json_fields{out}); }
     };
-    auto const fault = modbus::visit_message<modbus::public_functions>(found.direction, found.pdu(), request, add_fields);
+    using functions  = modbus::public_functions;
+    auto const fault = modbus::visit_message<functions>(found.direction, found.pdu(), request, add_fields);
     if (not fault.ok() and fault.code() != drivecodec::errc::unsupported_function) {
         out.add("error", to_string(fault.code()));
         out.add("error_offset", fault.moved_by(modbus::rtu::layout::adu::pdu).offset());

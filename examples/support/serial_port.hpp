@@ -42,7 +42,7 @@ private:
 
 class serial_port {
 public:
-    /// Opens a serial device, or the named end of a pseudo-terminal. `errno` is EINVAL for a baud rate that there is not.
+    /// Opens a serial device, or the named end of a pseudo-terminal. `errno` is EINVAL for an unknown baud rate.
     [[nodiscard]] static std::optional<serial_port> open(std::string const& path, std::uint32_t baud,
                                                          character_format format = {});
 

@@ -92,7 +92,7 @@ TEST(text_writer, never_writes_outside)
 {
     std::string const whole = "dropped 65535 AB \"\\x01\"";
     for (std::size_t size = 0; size <= whole.size() + 1; ++size) {
-        auto const  buffer = std::make_unique<char[]>(size);  // exactly as large: a sanitizer sees the first byte outside
+        auto const  buffer = std::make_unique<char[]>(size);  // a sanitizer sees the first byte outside
         text_writer out{{buffer.get(), size}};
         out.put("dropped ").decimal(65535).put(' ').hex(std::uint8_t{0xAB}).put(' ').quoted("01"_hex);
         EXPECT_EQ(out.view(), whole.substr(0, size));

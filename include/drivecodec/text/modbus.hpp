@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Modbus in words: `to_string` for every enum, `describe` for every PDU and frame, `for_each_field` for what lies between.
+// Modbus in words: `to_string` for every enum, `describe` for PDUs and frames, `for_each_field` for what is in them.
 
 #include <drivecodec/text/core.hpp>
 #include <drivecodec/text/modbus/comm_event.hpp>

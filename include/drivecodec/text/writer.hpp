@@ -52,7 +52,9 @@ public:
         return *this;
     }
 
-    /// Bytes that should be ASCII, between quotes: `"`, `\` and what cannot be printed become \", \\ and \xNN.
+    // No ///: the backslashes are not commands of the documentation.
+    //
+    // Bytes that should be ASCII, between quotes: `"`, `\` and what cannot be printed become \", \\ and \xNN.
     constexpr text_writer& quoted(bytes characters) noexcept
     {
         put('"');

@@ -61,7 +61,8 @@ TEST(text_describe, shows_responses)
 {
     EXPECT_EQ(text_of(direction::response, vectors::read_holding_registers_response),
               "response  03 read_holding_registers  byte_count=6 registers=[555 0 100]");
-    EXPECT_EQ(text_of(direction::response, "01 01 05"_hex), "response  01 read_coils  byte_count=1 coils=[1 0 1 0 0 0 0 0]");
+    EXPECT_EQ(text_of(direction::response, "01 01 05"_hex),
+              "response  01 read_coils  byte_count=1 coils=[1 0 1 0 0 0 0 0]");
     EXPECT_EQ(text_of(direction::response, "01 01 05"_hex, "01 00 13 00 03"_hex),
               "response  01 read_coils  byte_count=1 coils=[1 0 1]");
 }
@@ -102,7 +103,8 @@ TEST(text_describe, knows_a_user_s_function)
 {
     using mine = modbus::public_functions::with<maker::read_trace>;
     EXPECT_EQ(text_of<mine>(direction::request, "41 00 01 00 02"_hex), "request  65 read_trace  first=1 count=2");
-    EXPECT_EQ(text_of<mine>(direction::response, "C1 02"_hex), "response  65 read_trace  exception 02 illegal_data_address");
+    EXPECT_EQ(text_of<mine>(direction::response, "C1 02"_hex),
+              "response  65 read_trace  exception 02 illegal_data_address");
     EXPECT_EQ(modbus::function_name<mine>("41"_hex), "read_trace");
 }
 
@@ -191,7 +193,8 @@ TEST(text_describe, says_something_of_every_function_byte)
             for (std::size_t size = 1; size <= 2; ++size) {
                 for (auto const which : {direction::request, direction::response}) {
                     std::array<char, 200> buffer;
-                    ASSERT_TRUE(modbus::describe(which, std::span{pdu}.first(size), buffer).starts_with(to_string(which)));
+                    auto const            text = modbus::describe(which, std::span{pdu}.first(size), buffer);
+                    ASSERT_TRUE(text.starts_with(to_string(which)));
                 }
             }
         }

@@ -62,7 +62,8 @@ TEST(text_field_writer, writes_numbers_without_a_name_in_hexadecimal)
 TEST(text_field_writer, writes_lists)
 {
     VERIFY(wire_reads<modbus::read_coils::response>("01 01 0D"_hex, "byte_count=1 coils=[1 0 1 1 0 0 0 0]"));
-    VERIFY(wire_reads<modbus::read_fifo_queue::response>("18 00 02 00 00"_hex, "byte_count=2 fifo_count=0 registers=[]"));
+    VERIFY(wire_reads<modbus::read_fifo_queue::response>("18 00 02 00 00"_hex,
+                                                         "byte_count=2 fifo_count=0 registers=[]"));
     VERIFY(wire_reads<modbus::report_server_id::response>("11 02 2A FF"_hex, "byte_count=2 data=[0x2A 0xFF]"));
     VERIFY(wire_reads<modbus::canopen_general_reference::request>("2B 0D"_hex,
                                                                   "mei_type=canopen_general_reference payload=[]"));
@@ -78,8 +79,8 @@ TEST(text_field_writer, writes_records)
                                             "{length=5 reference_type=6 registers=[13261 64]}]"));
     VERIFY(wire_reads<modbus::read_device_identification::response>(
         "2B 0E 04 81 00 00 01 00 03 41 22 07"_hex,
-        R"(mei_type=read_device_identification read_device_id_code=specific conformity=basic_and_specific more_follows=no )"
-        R"(next_object_id=vendor_name object_count=1 objects=[{id=vendor_name value="A\"\x07"}])"));
+        R"(mei_type=read_device_identification read_device_id_code=specific conformity=basic_and_specific )"
+        R"(more_follows=no next_object_id=vendor_name object_count=1 objects=[{id=vendor_name value="A\"\x07"}])"));
 }
 
 TEST(text_field_writer, writes_what_a_user_s_message_may_have)

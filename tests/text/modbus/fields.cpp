@@ -37,8 +37,8 @@ template <typename Functions>
 struct all_of;
 template <typename... Functions>
 struct all_of<modbus::function_set<Functions...>> {
-    static constexpr bool have_fields =
-        ((modbus::has_fields<typename Functions::request> and modbus::has_fields<typename Functions::response>) and ...);
+    static constexpr bool have_fields = (modbus::has_fields<typename Functions::request> and ...)
+                                        and (modbus::has_fields<typename Functions::response> and ...);
 };
 
 TEST(text_fields, every_public_message_says_what_its_fields_are)

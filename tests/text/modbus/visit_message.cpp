@@ -110,8 +110,9 @@ TEST(text_visit_message, visits_everything_that_the_specification_prints)
         auto const request  = vectors::printed_requests[i].pdu;
         auto const response = vectors::printed_responses[i].pdu;
         seen       visitor;
-        EXPECT_TRUE(modbus::visit_message<modbus::public_functions>(direction::request, request, {}, visitor).ok());
-        EXPECT_TRUE(modbus::visit_message<modbus::public_functions>(direction::response, response, request, visitor).ok());
+        using functions = modbus::public_functions;
+        EXPECT_TRUE(modbus::visit_message<functions>(direction::request, request, {}, visitor).ok());
+        EXPECT_TRUE(modbus::visit_message<functions>(direction::response, response, request, visitor).ok());
         EXPECT_EQ(visitor.calls, 2) << vectors::printed_requests[i].name;
     }
 }

@@ -19,7 +19,7 @@ namespace drivecodec::modbus {
     return {};
 }
 
-/// The kind, then the flags that are set: `receive+broadcast_received`. Bits without a meaning are not shown, but all of
+/// The kind, then the flags that are set: `receive+broadcast_received`. Bits without a meaning are not shown, except in
 /// a byte of which nothing is known: `0x10`.
 constexpr void write_text(text_writer& out, comm_event event) noexcept
 {

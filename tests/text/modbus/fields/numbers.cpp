@@ -32,7 +32,8 @@ TEST(text_fields_numbers, of_06)
 
 TEST(text_fields_numbers, of_07)
 {
-    EXPECT_EQ(fields_of<modbus::read_exception_status::response>(vectors::read_exception_status_response), "outputs=109 ");
+    EXPECT_EQ(fields_of<modbus::read_exception_status::response>(vectors::read_exception_status_response),
+              "outputs=109 ");
 }
 
 TEST(text_fields_numbers, of_11)

@@ -66,9 +66,10 @@ TEST(text_fields_values, of_16)
 
 TEST(text_fields_values, of_23)
 {
-    EXPECT_EQ(fields_of<modbus::read_write_multiple_registers::request>(vectors::read_write_multiple_registers_request),
+    using modbus::read_write_multiple_registers;
+    EXPECT_EQ(fields_of<read_write_multiple_registers::request>(vectors::read_write_multiple_registers_request),
               "read_first=3 read_count=6 write_first=14 write_count=3 byte_count=6 registers=[255 255 255 ] ");
-    EXPECT_EQ(fields_of<modbus::read_write_multiple_registers::response>(vectors::read_write_multiple_registers_response),
+    EXPECT_EQ(fields_of<read_write_multiple_registers::response>(vectors::read_write_multiple_registers_response),
               "byte_count=12 registers=[254 2765 1 3 13 255 ] ");
 }
 

@@ -47,7 +47,8 @@ TEST(text_rtu_describe, shows_addresses)
     EXPECT_EQ(text_of("00 06 00 01 00 03 00 00"_hex, direction::request),
               "broadcast  request  06 write_single_register  register_address=1 value=3");
     EXPECT_EQ(text_of("F7 07 00 00"_hex, direction::request), "server 247  request  07 read_exception_status");
-    EXPECT_EQ(text_of("F8 07 00 00"_hex, direction::request), "server 248 (reserved)  request  07 read_exception_status");
+    EXPECT_EQ(text_of("F8 07 00 00"_hex, direction::request),
+              "server 248 (reserved)  request  07 read_exception_status");
 }
 
 TEST(text_rtu_describe, reads_a_response_in_the_light_of_its_request)

@@ -44,7 +44,8 @@ constexpr void for_each_field(get_comm_event_counter::response const& given, aut
 
 constexpr void for_each_field(get_comm_event_log::response const& given, auto&& visit)
 {
-    visit("byte_count", static_cast<std::uint8_t>(given.wire_size() - layout::get_comm_event_log_response::byte_count.end));
+    namespace at = layout::get_comm_event_log_response;
+    visit("byte_count", static_cast<std::uint8_t>(given.wire_size() - at::byte_count.end));
     visit("status", given.busy() ? program_status::busy : program_status::ready);
     visit("event_count", given.event_count());
     visit("message_count", given.message_count());

@@ -97,7 +97,8 @@ constexpr void for_each_field(read_fifo_queue::request const& asked, auto&& visi
 template <typename Values>
 constexpr void for_each_field(read_fifo_queue::basic_response<Values> const& given, auto&& visit)
 {
-    visit("byte_count", static_cast<std::uint16_t>(given.wire_size() - layout::read_fifo_queue_response::byte_count.end));
+    namespace at = layout::read_fifo_queue_response;
+    visit("byte_count", static_cast<std::uint16_t>(given.wire_size() - at::byte_count.end));
     visit("fifo_count", static_cast<std::uint16_t>(given.values.size()));
     visit("registers", detail::view_of(given.values));
 }
