@@ -1,0 +1,10 @@
+// EXPECT: pattern_must_be_made_of_0_1_x_and_have_exactly_this_many_bits.*16
+#include <drivecodec/core/pattern.hpp>
+
+using namespace drivecodec;
+
+#ifdef OK
+constexpr pattern coding = "xxxx xxxx x01x 0001";
+#else
+constexpr pattern coding = "xxxx xxxx x01x 000";
+#endif

@@ -1,0 +1,10 @@
+// EXPECT: register_count_must_be_between.*1.*125
+#include <drivecodec/modbus/address_range.hpp>
+
+using namespace drivecodec::modbus;
+
+#ifdef OK
+constexpr register_range<125> range{0, 1};
+#else
+constexpr register_range<125> range{0, 0};
+#endif
