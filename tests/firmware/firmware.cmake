@@ -1,4 +1,4 @@
-# drivecodec_firmware(name board source... [TEXT_MAX bytes] [DATA_MAX bytes] [BSS_MAX bytes])
+# drivecodec_firmware(name board source... [TEXT_MAX bytes] [DATA_MAX bytes] [BSS_MAX bytes] [NO_TESTS])
 #
 # An image NAME.BOARD without C start files, heap, exceptions and RTTI; a test of its symbols and its size; and, where
 # QEMU is installed, a run: main() returns 0 for success. More options are set on the target NAME.BOARD afterwards.
@@ -13,7 +13,7 @@ set(board_mps2-an385  cortex-m3  0x00000000 4M   0x20000000 4M)
 set(board_mps2-an505  cortex-m33 0x10000000 4M   0x38000000 4M)
 
 function(drivecodec_firmware name board)
-    cmake_parse_arguments(PARSE_ARGV 2 image "" "TEXT_MAX;DATA_MAX;BSS_MAX" "")
+    cmake_parse_arguments(PARSE_ARGV 2 image "NO_TESTS" "TEXT_MAX;DATA_MAX;BSS_MAX" "")
     list(GET board_${board} 0 processor)
     list(GET board_${board} 1 flash_origin)
     list(GET board_${board} 2 flash_size)
@@ -33,6 +33,9 @@ function(drivecodec_firmware name board)
         -Wl,--defsym=RAM_ORIGIN=${ram_origin},--defsym=RAM_SIZE=${ram_size})
     set_target_properties(${target} PROPERTIES SUFFIX .elf LINK_DEPENDS ${firmware_dir}/cortexm.ld)
 
+    if(image_NO_TESTS)
+        return()
+    endif()
     foreach(budget TEXT_MAX DATA_MAX BSS_MAX)
         if(DEFINED image_${budget})
             list(APPEND budgets -D${budget}=${image_${budget}})
