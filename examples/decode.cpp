@@ -50,7 +50,7 @@ Exit status: 0, 1 if bytes were dropped that belong to no frame, 2 for wrong usa
 
 constexpr int nothing_dropped = 0;
 constexpr int bytes_dropped   = 1;
-constexpr int wrong_usage     = 2;
+constexpr int wrong_usage     = 2;  // and whatever else keeps the program from its work
 
 struct options {
     rtu::expecting               expect = rtu::expecting::either;
@@ -291,8 +291,11 @@ int main(int argc, char** argv)
             std::cout << usage;
             return nothing_dropped;
         }
-        if (not chosen.device.empty()) { return listen(chosen); }
-        return chosen.hex ? decode_arguments(chosen) : decode_lines(chosen);
+        auto const status = not chosen.device.empty() ? listen(chosen)
+                            : chosen.hex              ? decode_arguments(chosen)
+                                                      : decode_lines(chosen);
+        if (std::cout.flush()) { return status; }
+        std::cerr << "decode: cannot write what was decoded; is the disk full?\n";
     } catch (support::usage_error const& problem) {
         std::cerr << "decode: " << problem.what() << "; see decode --help\n";
     } catch (std::exception const& problem) {
