@@ -78,11 +78,7 @@ public:
     [[nodiscard]] constexpr mutable_bytes prepare() noexcept
     {
         if (silent_) { return {}; }
-        if (head_ == end_) {
-            move_to_begin();
-        } else if (end_ == Capacity) {
-            move_to_begin();
-        }
+        if (head_ == end_ or end_ == Capacity) { move_to_begin(); }
         return mutable_bytes{buffer_}.subspan(end_);
     }
 

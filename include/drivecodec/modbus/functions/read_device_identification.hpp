@@ -78,7 +78,7 @@ public:
     using function = read_device_identification;
 
     /// Of a stream, `object_id` is 0 in the first request, then what the response before says.
-    consteval request(read_device_id_code id_code, int object_id = 0)
+    consteval explicit request(read_device_id_code id_code, int object_id = 0)
         : code_{id_code}, object_id_{static_cast<device_object_id>(object_id)}
     {
         if (not is_valid(static_cast<std::uint8_t>(id_code))) { compile_error::read_device_id_code_must_be_between_1_and_4(); }
