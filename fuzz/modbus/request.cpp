@@ -1,6 +1,7 @@
 // Any bytes as the PDU of a request: what is valid is what the rules say, decoding and encoding are inverse, the lengths
 // agree, and dispatch gives what decoding by the type gives.
 #include "modbus/message_oracle.hpp"
+#include "modbus/mutate_pdu.hpp"
 
 using namespace oracle;
 
@@ -37,3 +38,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     FUZZ_ASSERT(not is_valid or modbus::public_functions::expects_reply(pdu) == rules::expects_reply(pdu));
     return 0;
 }
+
+#ifdef FUZZ_ENGINE
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed)
+{
+    auto const mutated = LLVMFuzzerMutate(data, size, max_size);
+    return seed % 2 == 0 ? mutated : mutate::repair_pdu(data, mutated, max_size, mutate::pdu_kind::request);
+}
+
+#endif

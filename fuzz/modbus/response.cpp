@@ -1,5 +1,6 @@
 // Any bytes as the PDU of a response or an exception: see request.cpp.
 #include "modbus/message_oracle.hpp"
+#include "modbus/mutate_pdu.hpp"
 
 using namespace oracle;
 
@@ -52,3 +53,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     FUZZ_ASSERT(not is_valid or is_exception or modbus::public_functions::name(pdu) != nullptr);
     return 0;
 }
+
+#ifdef FUZZ_ENGINE
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed)
+{
+    auto const mutated = LLVMFuzzerMutate(data, size, max_size);
+    return seed % 2 == 0 ? mutated : mutate::repair_pdu(data, mutated, max_size, mutate::pdu_kind::response);
+}
+
+#endif

@@ -1,10 +1,8 @@
 // Any bytes as one RTU frame, as every request and every response.
 #include "modbus/message_oracle.hpp"
-#include "repair_crc16.hpp"
+#include "modbus/mutate_pdu.hpp"
 
 #include <drivecodec/modbus/rtu/adu.hpp>
-
-FUZZ_MUTATE_FRAME_BEHIND(0);
 
 using namespace oracle;
 
@@ -67,3 +65,14 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     });
     return 0;
 }
+
+#ifdef FUZZ_ENGINE
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed)
+{
+    auto const mutated = LLVMFuzzerMutate(data, size, max_size);
+    auto const kind    = seed / 16 % 2 == 0 ? mutate::pdu_kind::request : mutate::pdu_kind::response;
+    return mutate::repair_frame(data, 0, mutated, max_size, seed, kind);
+}
+
+#endif

@@ -5,7 +5,7 @@
 // reply (2 bytes), the size of the request's PDU, the request's PDU, the reply.
 #include "modbus/handler.hpp"
 #include "modbus/message_oracle.hpp"
-#include "repair_crc16.hpp"
+#include "modbus/mutate_pdu.hpp"
 
 #include <drivecodec/modbus/rtu/client.hpp>
 #include <drivecodec/modbus/rtu/server.hpp>
@@ -104,8 +104,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 {
     auto const mutated = LLVMFuzzerMutate(data, size, max_size);
     auto const begin   = mutated < 11 ? mutated : std::size_t{11} + data[10];
-    if (seed % 8 != 0 and mutated >= begin + 4) { repair_crc16(std::span{data, mutated}.subspan(begin)); }
-    return mutated;
+    return mutate::repair_frame(data, begin < mutated ? begin : mutated, mutated, max_size, seed, mutate::pdu_kind::response);
 }
 
 #endif

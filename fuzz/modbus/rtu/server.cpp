@@ -4,12 +4,10 @@
 // Input: own address, the handler's manner (6 bytes), the room (2 bytes), the frame.
 #include "modbus/handler.hpp"
 #include "modbus/message_oracle.hpp"
-#include "repair_crc16.hpp"
+#include "modbus/mutate_pdu.hpp"
 
 #include <drivecodec/modbus/rtu/client.hpp>
 #include <drivecodec/modbus/rtu/server.hpp>
-
-FUZZ_MUTATE_FRAME_BEHIND(9);
 
 using namespace oracle;
 
@@ -78,3 +76,13 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     }
     return 0;
 }
+
+#ifdef FUZZ_ENGINE
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed)
+{
+    auto const mutated = LLVMFuzzerMutate(data, size, max_size);
+    return mutate::repair_frame(data, 9, mutated, max_size, seed, mutate::pdu_kind::request);
+}
+
+#endif
