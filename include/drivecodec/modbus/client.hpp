@@ -44,7 +44,7 @@ namespace detail {
 template <message Request>
 [[nodiscard]] constexpr reply<Request> match_reply(Request const& asked, bytes pdu, std::size_t base) noexcept
 {
-    auto const given = Request::function::response::read(pdu);
+    auto given = Request::function::response::read(pdu);  // not const: g++ 12 keeps const objects in memory, 28 bytes of code
     if (auto const fault = asked.matches(given); not fault.ok()) { return reply_error{fault.moved_by(base)}; }
     return given;
 }
