@@ -29,7 +29,8 @@ static_assert(decoded and decoded->address == 17 and decoded->message.range.firs
               and decoded->message.range.count() == 3);
 
 // So does the question whether a reply answers the request.
-constexpr auto reply_of_three = std::to_array<std::uint8_t>({0x11, 0x03, 0x06, 0x02, 0x2B, 0x00, 0x00, 0x00, 0x64, 0xC8, 0xBA});
+constexpr auto reply_of_three =
+    std::to_array<std::uint8_t>({0x11, 0x03, 0x06, 0x02, 0x2B, 0x00, 0x00, 0x00, 0x64, 0xC8, 0xBA});
 constexpr auto three          = rtu::check(17, decoded->message, reply_of_three);
 static_assert(three and three->values[0] == 555 and three->values[2] == 100);
 
@@ -56,7 +57,10 @@ struct read_run_hours::response {  // | function | fan | hours hi lo |
     std::uint16_t hours;
 
     static constexpr std::size_t wire_size() noexcept { return hours_at::end; }
-    static constexpr auto        length(drivecodec::bytes) noexcept { return drivecodec::message_length::exactly(wire_size()); }
+    static constexpr auto        length(drivecodec::bytes) noexcept
+    {
+        return drivecodec::message_length::exactly(wire_size());
+    }
 
     static constexpr drivecodec::error check(drivecodec::bytes pdu) noexcept
     {
@@ -82,7 +86,10 @@ struct read_run_hours::request {  // | function | fan |
     std::uint8_t fan;
 
     static constexpr std::size_t wire_size() noexcept { return fan_at::end; }
-    static constexpr auto        length(drivecodec::bytes) noexcept { return drivecodec::message_length::exactly(wire_size()); }
+    static constexpr auto        length(drivecodec::bytes) noexcept
+    {
+        return drivecodec::message_length::exactly(wire_size());
+    }
 
     static constexpr drivecodec::error check(drivecodec::bytes pdu) noexcept
     {

@@ -114,7 +114,9 @@ template <typename Range>
 void print_values(options const&, Range asked, modbus::coil_view states)
 {
     // A response has whole bytes; only the request knows how many states count.
-    for (std::size_t i = 0; i < asked.count(); ++i) { std::cout << asked.first() + i << ": " << (states[i] ? "on" : "off") << '\n'; }
+    for (std::size_t i = 0; i < asked.count(); ++i) {
+        std::cout << asked.first() + i << ": " << (states[i] ? "on" : "off") << '\n';
+    }
 }
 
 template <typename Message>
@@ -242,7 +244,8 @@ int write_coils(session& s, arguments& words)
     std::array<bool, 2000> states{};
     std::size_t            count = 0;
     do { states.at(count++) = to_state(words.next("a state")); } while (not words.empty());
-    return s.ask(modbus::write_multiple_coils::request::make(first, std::span<bool const>{states}.first(count)), say_done);
+    return s.ask(modbus::write_multiple_coils::request::make(first, std::span<bool const>{states}.first(count)),
+                 say_done);
 }
 
 int mask_write(session& s, arguments& words)
@@ -312,9 +315,9 @@ int diagnostics(session& s, arguments& words)
 int identify(session& s, arguments& words)
 {
     using enum modbus::read_device_id_code;
-    auto const what   = words.empty() ? std::string{"regular"} : words.next("what");
-    auto const code   = what == "basic" ? basic : what == "regular" ? regular : what == "extended" ? extended : specific;
-    auto       object = code == specific ? support::to<std::uint8_t>(what) : std::uint8_t{0};
+    auto const what = words.empty() ? std::string{"regular"} : words.next("what");
+    auto const code = what == "basic" ? basic : what == "regular" ? regular : what == "extended" ? extended : specific;
+    auto object = code == specific ? support::to<std::uint8_t>(what) : std::uint8_t{0};
     for (auto more = true; more;) {
         more = false;
         auto const request =
@@ -322,8 +325,8 @@ int identify(session& s, arguments& words)
         auto const status = s.ask(request, [&](modbus::read_device_identification::response const& given) {
             for (auto const found : given.objects()) {
                 auto const name = to_string(found.id);
-                std::cout << (name.empty() ? std::to_string(static_cast<unsigned>(found.id)) : std::string{name}) << ": "
-                          << std::string{found.value.begin(), found.value.end()} << '\n';
+                std::cout << (name.empty() ? std::to_string(static_cast<unsigned>(found.id)) : std::string{name})
+                          << ": " << std::string{found.value.begin(), found.value.end()} << '\n';
             }
             auto const next = static_cast<std::uint8_t>(given.next_object_id());
             more            = given.more_follows() and next > object;  // a server that goes in circles is not followed
@@ -338,7 +341,9 @@ int raw(session& s, arguments& words)
 {
     auto const pdu = support::parse_hex(words.next("the PDU"));
     if (not pdu.problem.empty()) { throw support::usage_error{pdu.problem}; }
-    if (pdu.bytes.empty() or pdu.bytes.size() > modbus::max_pdu_size) { throw support::usage_error{"a PDU has 1 to 253 bytes"}; }
+    if (pdu.bytes.empty() or pdu.bytes.size() > modbus::max_pdu_size) {
+        throw support::usage_error{"a PDU has 1 to 253 bytes"};
+    }
     auto const answer = s.line.ask_raw(s.given.address, pdu.bytes);
     if (not answer) { return s.complain("no answer from the server"); }
     std::cout << support::to_hex(*answer) << '\n';
@@ -406,20 +411,36 @@ options parse(arguments& words)
     while (words.is_option()) {
         auto const word         = words.next("an option");
         auto const value        = [&] { return words.next("the value of " + word); };
-        auto const milliseconds = [&] { return std::chrono::milliseconds{support::to<std::uint32_t>(value(), 1, 3'600'000)}; };
-        if (word == "--device") { given.device = value(); }
-        else if (word == "--address") { given.address = *rtu::server_address::make(support::to<std::uint8_t>(value(), 0, 247)); }
-        else if (word == "--baud") { given.baud = support::to<std::uint32_t>(value(), 1); }
-        else if (word == "--format") { given.format = support::to_format(value()); }
-        else if (word == "--timeout") { given.line.timeout = milliseconds(); }
-        else if (word == "--retries") { given.line.retries = support::to<unsigned>(value(), 0, 1000); }
-        else if (word == "--every") { given.every = milliseconds(); }
-        else if (word == "--echo") { given.line.echo = true; }
-        else if (word == "--silence") { given.silence = support::to<std::uint32_t>(value(), 1); }
-        else if (word == "--as") { given.type = to_type(value()); }
-        else if (word == "--order") { given.order = to_order(value()); }
-        else if (word == "--verbose") { given.verbose = true; }
-        else { throw support::usage_error{"unknown option '" + word + "'"}; }
+        auto const milliseconds = [&] {
+            return std::chrono::milliseconds{support::to<std::uint32_t>(value(), 1, 3'600'000)};
+        };
+        if (word == "--device") {
+            given.device = value();
+        } else if (word == "--address") {
+            given.address = *rtu::server_address::make(support::to<std::uint8_t>(value(), 0, 247));
+        } else if (word == "--baud") {
+            given.baud = support::to<std::uint32_t>(value(), 1);
+        } else if (word == "--format") {
+            given.format = support::to_format(value());
+        } else if (word == "--timeout") {
+            given.line.timeout = milliseconds();
+        } else if (word == "--retries") {
+            given.line.retries = support::to<unsigned>(value(), 0, 1000);
+        } else if (word == "--every") {
+            given.every = milliseconds();
+        } else if (word == "--echo") {
+            given.line.echo = true;
+        } else if (word == "--silence") {
+            given.silence = support::to<std::uint32_t>(value(), 1);
+        } else if (word == "--as") {
+            given.type = to_type(value());
+        } else if (word == "--order") {
+            given.order = to_order(value());
+        } else if (word == "--verbose") {
+            given.verbose = true;
+        } else {
+            throw support::usage_error{"unknown option '" + word + "'"};
+        }
     }
     if (given.device.empty()) { throw support::usage_error{"--device is missing"}; }
     return given;
@@ -430,16 +451,17 @@ std::sig_atomic_t volatile stop = 0;
 void wait_until(std::chrono::steady_clock::time_point when)
 {
     constexpr auto look_for_signals = std::chrono::milliseconds{50};
-    for (auto now = std::chrono::steady_clock::now(); stop == 0 and now < when; now = std::chrono::steady_clock::now()) {
-        std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(when - now, look_for_signals));
+    while (stop == 0) {
+        auto const left = when - std::chrono::steady_clock::now();
+        if (left.count() <= 0) { return; }
+        std::this_thread::sleep_for(std::min<std::chrono::nanoseconds>(left, look_for_signals));
     }
 }
 
 int run(arguments words)
 {
-    auto       given  = parse(words);
-    auto const name   = words.next("the command");
-    auto const& chosen = find_command(name);
+    auto        given  = parse(words);
+    auto const& chosen = find_command(words.next("the command"));
 
     auto port = support::serial_port::open(given.device, given.baud, given.format);
     if (not port) { throw std::system_error{errno, std::generic_category(), given.device}; }

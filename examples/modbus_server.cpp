@@ -167,7 +167,8 @@ public:
         static constexpr auto model   = ascii("an example");
         static constexpr device_object objects[] = {
             {vendor_name, vendor}, {product_code, product}, {major_minor_revision, version}, {model_name, model}};
-        return modbus::read_device_identification::answer(asked, modbus::device_conformity::regular_and_specific, objects);
+        return modbus::read_device_identification::answer(asked, modbus::device_conformity::regular_and_specific,
+                                                          objects);
     }
     modbus::get_comm_event_counter::response operator()(modbus::get_comm_event_counter::request)
     {
@@ -175,7 +176,8 @@ public:
     }
     answer<modbus::get_comm_event_log::response> operator()(modbus::get_comm_event_log::request)
     {
-        return respond<modbus::get_comm_event_log::response>(false, counters.events, counters.server_messages, log.events());
+        return respond<modbus::get_comm_event_log::response>(false, counters.events, counters.server_messages,
+                                                             log.events());
     }
     answer<modbus::diagnostics::response> operator()(modbus::diagnostics::request const& asked)
     {
@@ -252,7 +254,8 @@ struct options {
 class server {
 public:
     server(support::serial_port port, rtu::server_address own, std::uint32_t silence, device served)
-        : port_{std::move(port)}, own_{own}, silence_{silence}, reader_{rtu::expecting::either, own}, device_{std::move(served)}
+        : port_{std::move(port)}, own_{own}, silence_{silence}, reader_{rtu::expecting::either, own},
+          device_{std::move(served)}
     {}
 
     std::ofstream log;  // a line of hex digits for every frame
@@ -335,7 +338,9 @@ private:
     void drop(drivecodec::dropped_bytes const& noise)
     {
         write_log(noise.raw);
-        if (verbose) { std::cout << "   " << noise.raw.size() << " bytes dropped: " << to_string(noise.reason) << std::endl; }
+        if (verbose) {
+            std::cout << "   " << noise.raw.size() << " bytes dropped: " << to_string(noise.reason) << std::endl;
+        }
         if (noise.reason != drivecodec::errc::bad_checksum) { return; }
         ++device_.counters.bus_errors;
         log_received(support::event_log::received.with(modbus::comm_event::communication_error));
@@ -407,20 +412,35 @@ options parse(support::arguments words)
         auto const word  = words.next("an option");
         auto const value = [&] { return words.next("the value of " + word); };
         auto const count = [&] { return support::to<std::size_t>(value(), 0, 65536); };
-        if (word == "--device") { given.device = value(); }
-        else if (word == "--link") { given.link = value(); }
-        else if (word == "--log") { given.log = value(); }
-        else if (word == "--address") { given.address = *rtu::server_address::make(support::to<std::uint8_t>(value(), 1, 247)); }
-        else if (word == "--baud") { given.baud = support::to<std::uint32_t>(value(), 1); }
-        else if (word == "--format") { given.format = support::to_format(value()); }
-        else if (word == "--silence") { given.silence = support::to<std::uint32_t>(value(), 1); }
-        else if (word == "--holding") { given.sizes.holding_registers = count(); }
-        else if (word == "--input") { given.sizes.input_registers = count(); }
-        else if (word == "--coils") { given.sizes.coils = count(); }
-        else if (word == "--discrete") { given.sizes.discrete_inputs = count(); }
-        else if (word == "--files") { given.sizes.files = count(); }
-        else if (word == "--verbose") { given.verbose = true; }
-        else { throw support::usage_error{"unknown option '" + word + "'"}; }
+        if (word == "--device") {
+            given.device = value();
+        } else if (word == "--link") {
+            given.link = value();
+        } else if (word == "--log") {
+            given.log = value();
+        } else if (word == "--address") {
+            given.address = *rtu::server_address::make(support::to<std::uint8_t>(value(), 1, 247));
+        } else if (word == "--baud") {
+            given.baud = support::to<std::uint32_t>(value(), 1);
+        } else if (word == "--format") {
+            given.format = support::to_format(value());
+        } else if (word == "--silence") {
+            given.silence = support::to<std::uint32_t>(value(), 1);
+        } else if (word == "--holding") {
+            given.sizes.holding_registers = count();
+        } else if (word == "--input") {
+            given.sizes.input_registers = count();
+        } else if (word == "--coils") {
+            given.sizes.coils = count();
+        } else if (word == "--discrete") {
+            given.sizes.discrete_inputs = count();
+        } else if (word == "--files") {
+            given.sizes.files = count();
+        } else if (word == "--verbose") {
+            given.verbose = true;
+        } else {
+            throw support::usage_error{"unknown option '" + word + "'"};
+        }
     }
     return given;
 }

@@ -57,7 +57,8 @@ public:
         return exchange(*frame, [&](drivecodec::bytes heard) -> std::optional<modbus::reply<Request>> {
             auto const answer = rtu::check(server, asked, heard);
             auto const code   = answer ? errc::none : answer.error().code();
-            if (code == errc::unexpected_server or code == errc::unexpected_function or code == errc::unexpected_reply) {
+            if (code == errc::unexpected_server or code == errc::unexpected_function
+                or code == errc::unexpected_reply) {
                 return std::nullopt;  // the reply to something else
             }
             return answer;

@@ -67,7 +67,9 @@ struct data_model {
         : holding_registers{wanted.holding_registers}, input_registers{wanted.input_registers}, coils{wanted.coils},
           discrete_inputs{wanted.discrete_inputs}
     {
-        for (std::size_t i = 0; i < wanted.files; ++i) { files.emplace_back(modbus::file_record_range::last_record + 1U); }
+        for (std::size_t i = 0; i < wanted.files; ++i) {
+            files.emplace_back(modbus::file_record_range::last_record + 1U);
+        }
     }
 
     table<std::uint16_t> holding_registers;

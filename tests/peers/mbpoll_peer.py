@@ -19,8 +19,8 @@ class Peer:
 
     def run(self, *options, values=(), address=None):
         # 0: addresses count from 0, 1: once. A pseudo-terminal has no parity; asked for one, the C library may refuse.
-        return support.run("mbpoll", "-m", "rtu", "-P", "none", "-a", str(address or self.address), "-0", "-1", "-o", "1", *options,
-                           self.line, "--", *map(str, values))
+        return support.run("mbpoll", "-m", "rtu", "-P", "none", "-a", str(address or self.address), "-0", "-1",
+                           "-o", "1", *options, self.line, "--", *map(str, values))
 
     def read(self, kind, first, count, *options):
         _, printed = self.run("-t", kind, "-r", str(first), "-c", str(count), *options)

@@ -74,7 +74,8 @@ def main():
 
         checks.equal("an address that is not there", poll("read-holding", 999, 2),
                      (1, "exception 2 illegal_data_address\n"))
-        checks.equal("a server that is not there", poll("--timeout", 200, "--retries", 1, "read-holding", 0, 1, address=18),
+        checks.equal("a server that is not there",
+                     poll("--timeout", 200, "--retries", 1, "read-holding", 0, 1, address=18),
                      (1, "no answer from the server\n"))
         checks.equal("broadcast", poll("write-register", 5, 4711, address=0), (0, "sent; nobody answers this\n"))
         checks.equal("03 of a broadcast", numbers("read-holding", 5, 1), [4711])

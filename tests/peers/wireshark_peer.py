@@ -54,7 +54,8 @@ def main():
                 seen[name] = [text[:len(part)] for text, part in zip(seen[name], values)]
             if seen[name] != values and not (values == [] and seen[name] == ["<MISSING>"]):
                 wrong += 1
-                print(f"frame {number}, function {seen['modbus.func_code']}: {name} is {seen[name]}, encoded was {values}")
+                print(f"frame {number}, function {seen['modbus.func_code']}: {name} is {seen[name]}, "
+                      f"encoded was {values}")
     if len(expected) != len(found):
         wrong += 1
     print(f"{len(expected)} frames encoded, {len(found)} dissected, {wrong} differences")

@@ -1,0 +1,193 @@
+#!/usr/bin/python3
+"""Our client and our server on a line that is late, noisy and shared: this script is the other end.
+
+bad_line_peer.py PATH/TO/modbus_server PATH/TO/modbus_poll
+"""
+import contextlib
+import os
+import select
+import subprocess
+import sys
+import time
+import tty
+
+import support
+
+
+def with_crc(frame):
+    crc = 0xFFFF
+    for byte in frame:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return bytes(frame) + crc.to_bytes(2, "little")
+
+
+def registers(address, *values):
+    """A response of function 03."""
+    data = b"".join(value.to_bytes(2, "big") for value in values)
+    return with_crc(bytes([address, 3, len(data)]) + data)
+
+
+class Line:
+    """The other end of a pseudo-terminal."""
+
+    def __init__(self, end):
+        self.end = end
+
+    def receive(self, size, seconds=support.DEADLINE):
+        """So many bytes; fewer if they do not come in time."""
+        heard = b""
+        end = time.monotonic() + seconds
+        while len(heard) < size:
+            ready, _, _ = select.select([self.end], [], [], max(0.0, end - time.monotonic()))
+            if not ready:
+                break
+            heard += os.read(self.end, size - len(heard))
+        return heard
+
+    def send(self, *parts):
+        os.write(self.end, b"".join(parts))
+
+
+@contextlib.contextmanager
+def asking(program, *command):
+    """Our client as it asks: gives the process and the line to it."""
+    end, device = os.openpty()
+    tty.setraw(device)
+    try:
+        with support.running([program, "--device", os.ttyname(device), "--address", "17", *command],
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
+            yield process, Line(end)
+    finally:
+        os.close(end)
+        os.close(device)
+
+
+def finish(process):
+    printed, _ = process.communicate(timeout=2 * support.DEADLINE)
+    return process.returncode, printed
+
+
+def client(program, checks):
+    request = with_crc(b"\x11\x03\x00\x6b\x00\x01")
+    patient = ["--timeout", "3000"]
+    read = ["read-holding", "107", "1"]
+
+    # Before the reply: noise, other servers' replies, replies to something else, a damaged one, a longer one.
+    with asking(program, *patient, *read) as (process, line):
+        checks.equal("request", line.receive(8), request)
+        line.send(b"\x00\xff\x11\x03", registers(18, 1), with_crc(b"\x11\x04\x02\x00\x02"), registers(17, 3, 3),
+                  registers(17, 4)[:-1] + b"\x00", registers(17, 5))
+        checks.equal("the reply among others", finish(process), (0, "107: 5\n"))
+
+    # Nobody answers the first try; half a reply to the second.
+    with asking(program, "--timeout", "800", *read) as (process, line):
+        checks.equal("first try", line.receive(8), request)
+        checks.equal("second try", line.receive(8), request)
+        line.send(registers(17, 6)[:4])
+        checks.equal("third try", line.receive(8), request)
+        line.send(registers(17, 7))
+        checks.equal("the third try", finish(process), (0, "107: 7\n"))
+    with asking(program, "--timeout", "100", "--retries", "1", *read) as (process, line):
+        line.receive(16)
+        checks.equal("nobody answers", finish(process), (1, "no answer from the server\n"))
+
+    # Two replies to two tries: the second belongs to no later request.
+    with asking(program, "--timeout", "800", "--every", "1", *read) as (process, line):
+        line.receive(16)
+        line.send(registers(17, 8))
+        time.sleep(0.1)
+        line.send(registers(17, 8))
+        checks.equal("the next request", line.receive(8), request)
+        line.send(registers(17, 9))
+        line.receive(8)
+        process.terminate()
+        line.send(registers(17, 9))
+        status, printed = finish(process)
+        checks.equal("no stale reply", (status, printed.splitlines()), (0, ["107: 8", "107: 9", "107: 9"]))
+
+    # Exceptions: of this function, of another.
+    with asking(program, *patient, *read) as (process, line):
+        line.receive(8)
+        line.send(with_crc(b"\x11\x86\x02"), with_crc(b"\x11\x83\x06"))
+        checks.equal("exception", finish(process), (1, "exception 6 server_device_busy\n"))
+
+    # An adapter that hears what it sends.
+    with asking(program, *patient, "--echo", *read) as (process, line):
+        line.send(line.receive(8), registers(17, 10))
+        checks.equal("echo", finish(process), (0, "107: 10\n"))
+    with asking(program, *patient, "--echo", "--address", "0", "write-register", "1", "2") as (process, line):
+        line.send(line.receive(8))
+        checks.equal("echo of a broadcast", finish(process), (0, "sent; nobody answers this\n"))
+    with asking(program, "--timeout", "800", "--retries", "1", "--echo", *read) as (process, line):
+        line.receive(8)
+        line.send(b"\x11\x13", registers(17, 11))
+        line.send(line.receive(8), registers(17, 12))
+        checks.equal("a collision, then the echo", finish(process), (0, "107: 12\n"))
+
+
+def server(program, checks):
+    # A long silence, so that a busy machine does not make pauses where there are none.
+    with support.modbus_server(program, "--address", "17", "--holding", "200", "--silence", "50000") as (process, path):
+        number = os.open(path, os.O_RDWR | os.O_NOCTTY)
+        tty.setraw(number)
+        line = Line(number)
+
+        def expect(what, wanted, *parts):
+            """Sends the parts; the server answers this, or stays silent."""
+            for part in parts:
+                line.send(part)
+            heard = line.receive(len(wanted)) if wanted else line.receive(1, 0.2)
+            checks.equal(what, heard, wanted)
+
+        read = with_crc(b"\x11\x03\x00\x6b\x00\x01")
+        write = with_crc(b"\x11\x06\x00\x6b\x02\x2b")
+        expect("write", write, write)
+        expect("read", registers(17, 555), read)
+
+        # Noise: what follows it is not aligned and not answered; after a silence everything is as before.
+        expect("behind noise", b"", b"\x55\xaa\x00" + read)
+        expect("after the silence", registers(17, 555), read)
+        expect("a damaged request", b"", read[:-1] + b"\x00")
+        expect("a truncated request", b"", read[:5])
+        expect("after all that", registers(17, 555), read)
+        expect("byte by byte", registers(17, 555), *(bytes([byte]) for byte in read))
+
+        # Others on the line: not answered, and a write to us within their reply is not carried out.
+        expect("another server's request", b"", with_crc(b"\x05\x03\x00\x00\x00\x04"))
+        inner = with_crc(b"\x11\x06\x00\x6b\x00\x00")
+        expect("its reply", b"", with_crc(b"\x05\x03\x08" + inner))
+        expect("its damaged reply", b"", b"\x05\x03\x0a" + inner + b"\x00\x00\x00\x00")
+        expect("the register is as it was", registers(17, 555), read)
+
+        # Broadcasts: writes are carried out, nothing is answered.
+        expect("broadcast", b"", with_crc(b"\x00\x06\x00\x6b\x00\x07"))
+        expect("broadcast of a read", b"", with_crc(b"\x00\x03\x00\x6b\x00\x01"))
+        expect("what was broadcast", registers(17, 7), read)
+
+        # Exceptions: function, address, quantity, value.
+        for request, code in ((b"\x41", 1), (b"\x03\xff\xff\x00\x02", 2), (b"\x03\x00\xc7\x00\x02", 2),
+                              (b"\x03\x00\x00\x00\x7e", 3), (b"\x05\x00\x00\x12\x34", 3), (b"\x08\x00\x05\x00\x00", 1)):
+            expect(f"exception of {request.hex()}", with_crc(bytes([0x11, request[0] | 0x80, code])),
+                   with_crc(b"\x11" + request))
+
+        # Listening only, until it is restarted; the restart is not answered.
+        expect("force listen only", b"", with_crc(b"\x11\x08\x00\x04\x00\x00"))
+        expect("listening only", b"", read)
+        expect("restart", b"", with_crc(b"\x11\x08\x00\x01\x00\x00"))
+        expect("after the restart", registers(17, 7), read)
+        expect("messages since the restart", with_crc(b"\x11\x08\x00\x0e\x00\x02"),
+               with_crc(b"\x11\x08\x00\x0e\x00\x00"))
+        os.close(number)
+        support.stop(process, checks)
+
+
+def main():
+    checks = support.Checks()
+    client(sys.argv[2], checks)
+    server(sys.argv[1], checks)
+    return checks.exit_status()
+
+
+sys.exit(main())
