@@ -13,7 +13,8 @@ namespace mutate {
 
 enum class pdu_kind : std::uint8_t { request, response };
 
-/// Makes the quantity that of the byte count. Those of requests 15, 16, 23 and of response 24.
+/// Makes the quantity that of the byte count, in requests 15, 16, 23 and in response 24; lets request 20 ask for as much as
+/// a response carries, or a register more.
 inline void repair_quantity(std::span<std::uint8_t> pdu, pdu_kind kind)
 {
     auto const store = [&](std::size_t at, unsigned count) {
@@ -24,6 +25,11 @@ inline void repair_quantity(std::span<std::uint8_t> pdu, pdu_kind kind)
         if (pdu.size() >= 6 and pdu[0] == 0x0F) { store(3, 8U * pdu[5] - (pdu[5] > 0 ? pdu[2] % 8U : 0U)); }
         if (pdu.size() >= 6 and pdu[0] == 0x10) { store(3, pdu[5] / 2U); }
         if (pdu.size() >= 10 and pdu[0] == 0x17) { store(7, pdu[9] / 2U); }
+        if (pdu.size() >= 9 and pdu[0] == 0x14 and (pdu.size() - 2) % 7 == 0 and pdu.back() % 2 != 0) {
+            unsigned others = 0;  // what all but the last one ask for; the last one, for as much as a response has left
+            for (std::size_t at = 2; at + 7 < pdu.size(); at += 7) { others += 2 + 2 * (pdu[at + 5] * 256U + pdu[at + 6]); }
+            if (others < 248) { store(pdu.size() - 2, (249 - others) / 2 + pdu.back() / 2 % 2U); }
+        }
     } else if (pdu.size() >= 5 and pdu[0] == 0x18) {
         store(3, (pdu[1] * 256U + pdu[2]) / 2U - 1U);
     }

@@ -398,7 +398,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     dice roll{seed};
     auto mutated = roll.below(3) != 0 ? LLVMFuzzerMutate(data, size, max_size) : size;
     for (auto planted = roll.below(4); planted > 0; --planted) {
-        if (mutated < 3) { break; }
+        if (mutated < 3 or (mutated > 200 and roll.below(8) != 0)) { break; }  // the shorter, the more in a second
         auto const begin = std::size_t{3} + 2 * (data[2] % max_events);
         auto const frame = any_frame(roll);
         if (begin > mutated or frame.size() > max_size - mutated) { break; }
