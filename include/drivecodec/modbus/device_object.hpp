@@ -17,6 +17,24 @@ enum class device_object_id : std::uint8_t {
     user_application_name = 0x06,
 };
 
+/// What is asked for: a stream of all objects of a category, or one object.
+enum class read_device_id_code : std::uint8_t {
+    basic    = 1,  ///< Objects 00 to 02.
+    regular  = 2,  ///< Objects 00 to 7F.
+    extended = 3,  ///< All objects.
+    specific = 4,  ///< One object.
+};
+
+/// How much a device can identify itself. Any other number is a value without a name.
+enum class device_conformity : std::uint8_t {
+    basic_stream          = 0x01,
+    regular_stream        = 0x02,
+    extended_stream       = 0x03,
+    basic_and_specific    = 0x81,
+    regular_and_specific  = 0x82,
+    extended_and_specific = 0x83,
+};
+
 namespace layout::device_object {  // | object id | length | value ...
 inline constexpr u8_at<0>    id{};
 inline constexpr u8_at<1>    length{};

@@ -4,7 +4,8 @@
 #include <drivecodec/modbus/function_set.hpp>
 #include <drivecodec/modbus/functions/canopen_general_reference.hpp>
 #include <drivecodec/modbus/functions/diagnostics.hpp>
-#include <drivecodec/modbus/functions/get_comm_events.hpp>
+#include <drivecodec/modbus/functions/get_comm_event_counter.hpp>
+#include <drivecodec/modbus/functions/get_comm_event_log.hpp>
 #include <drivecodec/modbus/functions/mask_write_register.hpp>
 #include <drivecodec/modbus/functions/read_bits.hpp>
 #include <drivecodec/modbus/functions/read_device_identification.hpp>

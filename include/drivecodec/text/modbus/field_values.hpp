@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/modbus/functions/get_comm_events.hpp>
+#include <drivecodec/modbus/comm_status.hpp>
 #include <drivecodec/modbus/functions/write_single_coil.hpp>
 
 #include <string_view>

@@ -1,4 +1,4 @@
-#include <drivecodec/modbus/functions/get_comm_events.hpp>
+#include <drivecodec/modbus/functions/get_comm_event_log.hpp>
 
 #include "support/pdu_properties.hpp"
 #include "support/pdu_vectors.hpp"
@@ -7,45 +7,6 @@ namespace {
 
 using namespace drivecodec;
 using namespace drivecodec::modbus;
-
-//=== 11 ===//
-
-using counter = get_comm_event_counter::response;
-
-TEST(get_comm_event_counter, is_what_the_specification_prints)
-{
-    VERIFY(encode(get_comm_event_counter::request{}) == vectors::get_comm_event_counter_request);
-    VERIFY(encode(counter{.busy = true, .event_count = 264}) == vectors::get_comm_event_counter_response);
-    VERIFY(*decode<counter>(vectors::get_comm_event_counter_response) == counter{.busy = true, .event_count = 264});
-}
-
-TEST(get_comm_event_counter, has_no_status_but_0000_and_FFFF)
-{
-    for (unsigned status = 0; status <= 0xFFFF; ++status) {
-        auto const high = static_cast<std::uint8_t>(status >> 8);
-        auto const low  = static_cast<std::uint8_t>(status);
-        auto const ok   = status == 0 or status == 0xFFFF;
-        ASSERT_EQ(counter::check(std::array<std::uint8_t, 5>{0x0B, high, low, 0, 0}),
-                  (ok ? error{} : error{errc::bad_value, 1}))
-            << status;
-        ASSERT_EQ(get_comm_event_log::response::check(std::array<std::uint8_t, 8>{0x0C, 6, high, low, 0, 0, 0, 0}),
-                  (ok ? error{} : error{errc::bad_value, 2}))
-            << status;
-    }
-}
-
-TEST(get_comm_event_counter, survives_encoding_and_decoding_with_every_count)
-{
-    for (unsigned count = 0; count <= 0xFFFF; ++count) {
-        counter const made{.busy = count % 2 != 0, .event_count = static_cast<std::uint16_t>(count)};
-        auto const    wire  = encode(made);
-        auto const    again = decode<counter>(wire);
-        ASSERT_TRUE(again and *again == made) << count;
-    }
-    EXPECT_TRUE(properties::round_trips(counter{.busy = false, .event_count = 1}));
-}
-
-//=== 12 ===//
 
 using event_log = get_comm_event_log::response;
 
@@ -60,6 +21,18 @@ TEST(get_comm_event_log, is_what_the_specification_prints)
     VERIFY(given.event(1).kind() == comm_event_kind::communication_restart);
     EXPECT_EQ(properties::wire_of(*event_log::make(false, 264, 289, events)),
               properties::copy_of(vectors::get_comm_event_log_response));
+}
+
+TEST(get_comm_event_log, has_no_status_but_0000_and_FFFF)
+{
+    for (unsigned status = 0; status <= 0xFFFF; ++status) {
+        auto const high = static_cast<std::uint8_t>(status >> 8);
+        auto const low  = static_cast<std::uint8_t>(status);
+        auto const ok   = status == 0 or status == 0xFFFF;
+        ASSERT_EQ(event_log::check(std::array<std::uint8_t, 8>{0x0C, 6, high, low, 0, 0, 0, 0}),
+                  (ok ? error{} : error{errc::bad_value, 2}))
+            << status;
+    }
 }
 
 TEST(get_comm_event_log, has_up_to_64_events)

@@ -2,86 +2,21 @@
 #pragma once
 
 #include <drivecodec/modbus/comm_event.hpp>
+#include <drivecodec/modbus/comm_status.hpp>
 #include <drivecodec/modbus/messages/bare_request.hpp>
-
-// Get Comm Event Counter (11) and Get Comm Event Log (12). MODBUS Application Protocol V1.1b3, 6.9 and 6.10.
 
 namespace drivecodec::modbus {
 
-namespace layout {
-
-namespace get_comm_event_counter_response {  // | function | status hi lo | event count hi lo |
-inline constexpr be16_at<1> status{};
-inline constexpr be16_at<3> event_count{};
-}  // namespace get_comm_event_counter_response
-
 // | function | byte count | status hi lo | event count hi lo | message count hi lo | events ...
-namespace get_comm_event_log_response {
+namespace layout::get_comm_event_log_response {
 inline constexpr u8_at<1>    byte_count{};
 inline constexpr be16_at<2>  status{};
 inline constexpr be16_at<4>  event_count{};
 inline constexpr be16_at<6>  message_count{};
 inline constexpr std::size_t events = message_count.end;
-}  // namespace get_comm_event_log_response
+}  // namespace layout::get_comm_event_log_response
 
-}  // namespace layout
-
-/// The status word of both: is a program command still being processed?
-struct comm_status {
-    static constexpr std::uint16_t busy  = 0xFFFF;
-    static constexpr std::uint16_t ready = 0x0000;
-
-    [[nodiscard]] static constexpr bool          is_valid(std::uint16_t wire) noexcept { return wire == busy or wire == ready; }
-    [[nodiscard]] static constexpr std::uint16_t to_wire(bool is_busy) noexcept { return is_busy ? busy : ready; }
-};
-
-struct get_comm_event_counter {
-    static constexpr auto        code = function_code::get_comm_event_counter;
-    static constexpr char const* name = "get_comm_event_counter";
-
-    using request = bare_request<get_comm_event_counter>;
-
-    struct response {
-        using function = get_comm_event_counter;
-
-        bool          busy;         ///< A program command is still being processed.
-        std::uint16_t event_count;  ///< Requests that were carried out.
-
-        [[nodiscard]] static constexpr std::size_t wire_size() noexcept
-        {
-            return layout::get_comm_event_counter_response::event_count.end;
-        }
-        [[nodiscard]] static constexpr message_length length(bytes) noexcept
-        {
-            return message_length::exactly(wire_size());
-        }
-
-        [[nodiscard]] static constexpr error check(bytes pdu) noexcept
-        {
-            namespace at = layout::get_comm_event_counter_response;
-            if (auto const fault = check_head(pdu, code, wire_size(), wire_size()); not fault.ok()) { return fault; }
-            if (not comm_status::is_valid(at::status.load(pdu))) { return {errc::bad_value, at::status.begin}; }
-            return check_size(pdu, wire_size());
-        }
-
-        [[nodiscard]] static constexpr response read(bytes pdu) noexcept
-        {
-            namespace at = layout::get_comm_event_counter_response;
-            return {.busy = at::status.load(pdu) == comm_status::busy, .event_count = at::event_count.load(pdu)};
-        }
-
-        constexpr void write(mutable_bytes out) const noexcept
-        {
-            namespace at = layout::get_comm_event_counter_response;
-            layout::function.store(out, to_byte(code));
-            at::status.store(out, comm_status::to_wire(busy));
-            at::event_count.store(out, event_count);
-        }
-
-        friend constexpr bool operator==(response const&, response const&) noexcept = default;
-    };
-};
-
+/// Get Comm Event Log (12), MODBUS Application Protocol V1.1b3, 6.10.
 struct get_comm_event_log {
     static constexpr auto        code = function_code::get_comm_event_log;
     static constexpr char const* name = "get_comm_event_log";
