@@ -21,11 +21,8 @@ public:
     constexpr coil_view() noexcept = default;
 
     /// Host bools: an array, a span.
-    constexpr coil_view(std::span<bool const> states) noexcept
-        : states_{states.data()}, size_{saturate_16(states.size())}, host_{true}
-    {}
-    template <std::size_t N>
-    constexpr coil_view(std::array<bool, N> const& states) noexcept : coil_view{std::span<bool const>{states}}
+    template <borrowable_by<bool, coil_view> States>
+    constexpr coil_view(States const& states) noexcept : coil_view{std::span<bool const>{states}, host{}}
     {}
 
     /// The first `count` coils of `wire`. Precondition: coils::wire_size(count) <= wire.size().
@@ -87,6 +84,10 @@ private:
         return static_cast<std::uint8_t>(bits);
     }
 
+    struct host {};
+    constexpr coil_view(std::span<bool const> states, host) noexcept
+        : states_{states.data()}, size_{saturate_16(states.size())}, host_{true}
+    {}
     constexpr coil_view(std::uint8_t const* wire, std::size_t count) noexcept
         : wire_{wire}, size_{static_cast<std::uint16_t>(count)}
     {}

@@ -22,11 +22,8 @@ public:
     constexpr record_list() noexcept = default;
 
     /// Host objects: an array, a span.
-    constexpr record_list(std::span<Record const> records) noexcept
-        : records_{records.data()}, extent_{saturate_16(records.size())}, host_{true}
-    {}
-    template <std::size_t N>
-    constexpr record_list(std::array<Record, N> const& records) noexcept : record_list{std::span<Record const>{records}}
+    template <borrowable_by<Record, record_list> Records>
+    constexpr record_list(Records const& records) noexcept : record_list{std::span<Record const>{records}, host{}}
     {}
 
     /// Precondition: check(wire).ok().
@@ -94,6 +91,10 @@ public:
     }
 
 private:
+    struct host {};
+    constexpr record_list(std::span<Record const> records, host) noexcept
+        : records_{records.data()}, extent_{saturate_16(records.size())}, host_{true}
+    {}
     struct wired {};
     constexpr record_list(bytes wire, wired) noexcept
         : wire_{wire.data()}, extent_{static_cast<std::uint16_t>(wire.size())}

@@ -20,12 +20,8 @@ public:
     constexpr register_view() noexcept = default;
 
     /// Host words: an array, a vector, a span.
-    constexpr register_view(std::span<std::uint16_t const> words) noexcept
-        : words_{words.data()}, size_{saturate_16(words.size())}, host_{true}
-    {}
-    template <std::size_t N>
-    constexpr register_view(std::array<std::uint16_t, N> const& words) noexcept
-        : register_view{std::span<std::uint16_t const>{words}}
+    template <borrowable_by<std::uint16_t, register_view> Words>
+    constexpr register_view(Words const& words) noexcept : register_view{std::span<std::uint16_t const>{words}, host{}}
     {}
 
     /// The first `count` registers of `wire`. Precondition: 2 * count <= wire.size().
@@ -96,6 +92,10 @@ public:
     }
 
 private:
+    struct host {};
+    constexpr register_view(std::span<std::uint16_t const> words, host) noexcept
+        : words_{words.data()}, size_{saturate_16(words.size())}, host_{true}
+    {}
     constexpr register_view(std::uint8_t const* wire, std::size_t count) noexcept
         : wire_{wire}, size_{static_cast<std::uint16_t>(count)}
     {}

@@ -33,6 +33,9 @@ inline constexpr outcome echo = 0x100;
 
 [[nodiscard]] constexpr outcome refuse(exception_code code) noexcept { return -static_cast<outcome>(code); }
 
+/// Of an answer that is no response: the handler gave too much.
+[[nodiscard]] constexpr outcome refuse(error) noexcept { return refuse(exception_code::server_device_failure); }
+
 /// Writes the response if it fits; else it is exception 04.
 template <typename Response>
 [[nodiscard]] constexpr outcome write_response(Response const& response, mutable_bytes out) noexcept

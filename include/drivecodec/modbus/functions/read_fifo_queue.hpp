@@ -99,7 +99,9 @@ struct read_fifo_queue::basic_response {
         namespace at = layout::read_fifo_queue_response;
         if (auto const fault = check_head(pdu, code, at::byte_count.end, at::values); not fault.ok()) { return fault; }
         auto const size = std::size_t{at::byte_count.end} + at::byte_count.load(pdu);
-        if (size < at::values) { return {errc::bad_length, at::byte_count.begin}; }
+        if (size < at::values or size > at::values + registers::wire_size(max_count)) {
+            return {errc::bad_length, at::byte_count.begin};
+        }
         if (pdu.size() < at::values) { return {errc::truncated, size}; }
         auto const count = at::fifo_count.load(pdu);
         if (count > max_count) { return {errc::bad_quantity, at::fifo_count.begin}; }
