@@ -67,6 +67,13 @@ private:
         if (not response) { return modbus::exception_code::server_device_failure; }
         return *response;
     }
+    /// What the library makes a response of, if it can.
+    template <typename Payload>
+    [[nodiscard]] modbus::answer<Payload> given(Payload payload) const
+    {
+        if (refuses()) { return refusal_; }
+        return payload;
+    }
     [[nodiscard]] none is_done() const
     {
         if (refuses()) { return refusal_; }
@@ -83,7 +90,7 @@ private:
     }
     auto answer(modbus::read_fifo_queue::request const&)
     {
-        return made(modbus::read_fifo_queue::response::make(words(count_ % (is_faithful() ? 32 : 300))));
+        return given(words(count_ % (is_faithful() ? 32 : 300)));
     }
 
     auto answer(modbus::write_single_coil::request const& asked) -> modbus::answer<modbus::write_single_coil::response>
@@ -119,7 +126,7 @@ private:
     {
         return made(modbus::get_comm_event_log::response::make(count_ % 2 == 0, 1, 2, log(64)));
     }
-    auto answer(modbus::report_server_id::request const&) { return made(modbus::report_server_id::response::make(log(251))); }
+    auto answer(modbus::report_server_id::request const&) { return given(log(251)); }
     auto answer(modbus::read_file_record::request const& asked)
     {
         std::size_t count = 0;
@@ -129,7 +136,7 @@ private:
             FUZZ_ASSERT(values.has_value());
             file_[count++] = *values;
         }
-        return made(modbus::read_file_record::response::make(std::span<modbus::file_values const>{file_}.first(count)));
+        return given(modbus::record_list<modbus::file_values>{std::span{file_}.first(count)});
     }
     auto answer(modbus::canopen_general_reference::request const& asked)
     {
