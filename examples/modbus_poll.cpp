@@ -446,7 +446,7 @@ options parse(arguments& words)
     return given;
 }
 
-std::sig_atomic_t volatile stop = 0;
+std::sig_atomic_t volatile stop = 0;  // set by a signal. NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 void wait_until(std::chrono::steady_clock::time_point when)
 {

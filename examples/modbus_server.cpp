@@ -18,12 +18,13 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace modbus = drivecodec::modbus;
 namespace rtu    = modbus::rtu;
@@ -58,11 +59,11 @@ public:
 
     //=== coils and discrete inputs ===//
 
-    answer<modbus::coil_view> operator()(modbus::read_coils::request const& asked)
+    answer<modbus::coil_view> operator()(modbus::read_coils::request const& asked) const
     {
         return model_.coils.read<modbus::coil_view>(asked.range.first(), asked.range.count());
     }
-    answer<modbus::coil_view> operator()(modbus::read_discrete_inputs::request const& asked)
+    answer<modbus::coil_view> operator()(modbus::read_discrete_inputs::request const& asked) const
     {
         return model_.discrete_inputs.read<modbus::coil_view>(asked.range.first(), asked.range.count());
     }
@@ -77,11 +78,11 @@ public:
 
     //=== registers ===//
 
-    answer<modbus::register_view> operator()(modbus::read_holding_registers::request const& asked)
+    answer<modbus::register_view> operator()(modbus::read_holding_registers::request const& asked) const
     {
         return read_holding(asked.range.first(), asked.range.count());
     }
-    answer<modbus::register_view> operator()(modbus::read_input_registers::request const& asked)
+    answer<modbus::register_view> operator()(modbus::read_input_registers::request const& asked) const
     {
         return model_.input_registers.read<modbus::register_view>(asked.range.first(), asked.range.count());
     }
@@ -107,7 +108,7 @@ public:
         if (not wrote) { return wrote.error(); }
         return read;  // a view: it shows what was written
     }
-    answer<modbus::read_fifo_queue::response> operator()(modbus::read_fifo_queue::request const& asked)
+    answer<modbus::read_fifo_queue::response> operator()(modbus::read_fifo_queue::request const& asked) const
     {
         if (asked.address != model_.queue_address) { return illegal_data_address; }
         return respond<modbus::read_fifo_queue::response>(modbus::register_view{model_.queue});
@@ -141,7 +142,7 @@ public:
 
     //=== who it is and how it is ===//
 
-    modbus::read_exception_status::response operator()(modbus::read_exception_status::request)
+    modbus::read_exception_status::response operator()(modbus::read_exception_status::request) const
     {
         std::uint8_t outputs = 0;  // the first eight coils
         for (std::size_t i = 0; i < 8 and i < model_.coils.size(); ++i) {
@@ -170,11 +171,11 @@ public:
         return modbus::read_device_identification::answer(asked, modbus::device_conformity::regular_and_specific,
                                                           objects);
     }
-    modbus::get_comm_event_counter::response operator()(modbus::get_comm_event_counter::request)
+    modbus::get_comm_event_counter::response operator()(modbus::get_comm_event_counter::request) const
     {
         return {.busy = false, .event_count = counters.events};
     }
-    answer<modbus::get_comm_event_log::response> operator()(modbus::get_comm_event_log::request)
+    answer<modbus::get_comm_event_log::response> operator()(modbus::get_comm_event_log::request) const
     {
         return respond<modbus::get_comm_event_log::response>(false, counters.events, counters.server_messages,
                                                              log.events());
@@ -214,7 +215,7 @@ private:
         return *made;
     }
 
-    answer<modbus::register_view> read_holding(std::size_t first, std::size_t count)
+    answer<modbus::register_view> read_holding(std::size_t first, std::size_t count) const
     {
         return model_.holding_registers.read<modbus::register_view>(first, count);
     }
@@ -236,7 +237,7 @@ private:
 
 //=== the line ===//
 
-std::sig_atomic_t volatile stop = 0;
+std::sig_atomic_t volatile stop = 0;  // set by a signal. NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
 struct options {
     std::string                  device;  // empty: a pseudo-terminal
@@ -454,8 +455,8 @@ public:
         if (std::filesystem::is_symlink(from_)) { std::filesystem::remove(from_); }
         std::filesystem::create_symlink(to, from_);
     }
-    symbolic_link(symbolic_link const&)            = delete;
-    symbolic_link& operator=(symbolic_link const&) = delete;
+    symbolic_link(symbolic_link&&)            = delete;
+    symbolic_link& operator=(symbolic_link&&) = delete;
     ~symbolic_link()
     {
         std::error_code ignored;
@@ -470,10 +471,7 @@ int run(options const& given)
 {
     auto port = given.device.empty() ? support::serial_port::pseudo_terminal()
                                      : support::serial_port::open(given.device, given.baud, given.format);
-    if (not port) {
-        std::cerr << given.device << ": " << std::strerror(errno) << '\n';
-        return 2;
-    }
+    if (not port) { throw std::system_error{errno, std::generic_category(), given.device}; }
     auto const path    = port->name();
     auto const silence = given.silence.value_or(rtu::timing::make(given.baud, given.format)->inter_frame());
     server     server{std::move(*port), given.address, silence, device{support::data_model{given.sizes}}};
@@ -483,9 +481,10 @@ int run(options const& given)
     symbolic_link const link{given.link, path};
     std::cout << path << std::endl;
     auto const ended_well = server.run();
+    auto const reason     = errno;
     server.print_counters();
-    if (not ended_well) { std::cerr << path << ": " << std::strerror(errno) << '\n'; }
-    return ended_well ? 0 : 1;
+    if (not ended_well) { throw std::system_error{reason, std::generic_category(), path}; }
+    return 0;
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ template <typename Function>
 void read_bits()
 {
     auto const count  = pick_count(2000);
-    auto const first  = pick_first(count);
+    auto const first  = pick_first(modbus::coils::wire_size(count) * 8);  // Wireshark counts on past 65535
     using range       = decltype(Function::request::range);
     auto const asked  = typename Function::request{.range = range::from_checked(first, count)};
     auto const fields = std::vector<field>{{"modbus.reference_num", {first}}, {"modbus.bit_cnt", {count}}};
