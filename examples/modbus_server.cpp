@@ -455,8 +455,10 @@ public:
         if (std::filesystem::is_symlink(from_)) { std::filesystem::remove(from_); }
         std::filesystem::create_symlink(to, from_);
     }
-    symbolic_link(symbolic_link&&)            = delete;
-    symbolic_link& operator=(symbolic_link&&) = delete;
+    symbolic_link(symbolic_link const&)            = delete;
+    symbolic_link(symbolic_link&&)                 = delete;
+    symbolic_link& operator=(symbolic_link const&) = delete;
+    symbolic_link& operator=(symbolic_link&&)      = delete;
     ~symbolic_link()
     {
         std::error_code ignored;
