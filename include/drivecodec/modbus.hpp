@@ -6,6 +6,7 @@
 #include <drivecodec/core/overload.hpp>
 #include <drivecodec/modbus/client.hpp>
 #include <drivecodec/modbus/functions.hpp>
+#include <drivecodec/modbus/raw_pdu.hpp>
 #include <drivecodec/modbus/rtu/adu.hpp>
 #include <drivecodec/modbus/rtu/client.hpp>
 #include <drivecodec/modbus/rtu/reader.hpp>

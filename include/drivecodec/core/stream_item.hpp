@@ -20,24 +20,24 @@ class stream_item {
     static_assert(std::is_trivially_copyable_v<Frame>, "stream_item<Frame>: Frame must be trivially copyable");
 
 public:
-    constexpr stream_item() noexcept : nothing_{}, holds_{kind::nothing} {}
-    constexpr stream_item(Frame whole) noexcept : frame_{whole}, holds_{kind::frame} {}
-    constexpr stream_item(dropped_bytes run) noexcept : dropped_{run}, holds_{kind::dropped} {}
+    constexpr stream_item() noexcept : nothing_{}, holds_{kind::none} {}
+    constexpr stream_item(Frame whole) noexcept : frame_{whole}, holds_{kind::whole} {}
+    constexpr stream_item(dropped_bytes run) noexcept : dropped_{run}, holds_{kind::run} {}
 
     /// Is there anything?
-    constexpr explicit operator bool() const noexcept { return holds_ != kind::nothing; }
+    constexpr explicit operator bool() const noexcept { return holds_ != kind::none; }
 
     /// nullptr if it is not a frame.
-    [[nodiscard]] constexpr Frame const* frame() const noexcept { return holds_ == kind::frame ? &frame_ : nullptr; }
+    [[nodiscard]] constexpr Frame const* frame() const noexcept { return holds_ == kind::whole ? &frame_ : nullptr; }
 
     /// nullptr if it is not a run of dropped bytes.
     [[nodiscard]] constexpr dropped_bytes const* dropped() const noexcept
     {
-        return holds_ == kind::dropped ? &dropped_ : nullptr;
+        return holds_ == kind::run ? &dropped_ : nullptr;
     }
 
 private:
-    enum class kind : std::uint8_t { nothing, frame, dropped };
+    enum class kind : std::uint8_t { none, whole, run };
     struct nothing {};
 
     union {

@@ -107,6 +107,7 @@ template <typename F, typename Handler>
 /// quantity, byte count, value or length. An answer that does not fit in `out` or in a PDU, or that is not as long as asked
 /// for, is exception 04. Nothing is sent to what has the exception bit set and to Diagnostics' Force Listen Only Mode. An empty
 /// `out` means that there is nobody to answer, as to a broadcast: then only writes reach the handler.
+/// Staying silent after that, until Restart Communications, is the caller's: it keeps the state and does not send.
 ///
 /// `Functions` are, unless named, the handler's `functions` if it has such a type, else the public ones. `pdu` and
 /// `out` must not overlap.

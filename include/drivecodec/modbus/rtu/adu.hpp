@@ -61,11 +61,11 @@ template <crc16::algorithm Crc>
     return pdu_fault.moved_by(layout::adu::pdu);
 }
 
-/// A message to or from a server, as a frame.
+/// A message to or from a server, as a frame: a request, a response, an exception, or a `raw_pdu`.
 ///
 /// `check` tells apart what a longer frame would mend (`truncated`), what the line has damaged (`bad_checksum`), and what
 /// the other side has sent wrongly (the errors of the message).
-template <message Message, crc16::algorithm Crc = crc16::by_default>
+template <writable Message, crc16::algorithm Crc = crc16::by_default>
 struct adu {
     server_address address;
     Message        message;
@@ -106,15 +106,14 @@ struct adu {
 //=== the gates ===//
 
 /// The frame of a message whose size the compiler knows. Cannot fail; a constant one is built by the compiler.
-template <crc16::algorithm Crc = crc16::by_default, message Message>
-    requires fixed_size<Message>
+template <crc16::algorithm Crc = crc16::by_default, fixed_size Message>
 [[nodiscard]] constexpr auto encode(server_address address, Message const& message) noexcept
 {
     return drivecodec::encode(adu<Message, Crc>{address, message});
 }
 
 /// Writes the frame to the front of `out`; returns the part written. Errors: `no_space`, and then `out` is untouched.
-template <crc16::algorithm Crc = crc16::by_default, message Message>
+template <crc16::algorithm Crc = crc16::by_default, writable Message>
 [[nodiscard]] constexpr result<mutable_bytes> encode(server_address address, Message const& message,
                                                      mutable_bytes out) noexcept
 {
@@ -140,14 +139,14 @@ template <crc16::algorithm Crc = crc16::by_default, message Message>
 /// The message that the frame `wire` holds, and its address. Views inside it point into `wire`.
 ///
 /// Errors: those of `adu::check`.
-template <readable_message Message, crc16::algorithm Crc = crc16::by_default>
+template <codec Message, crc16::algorithm Crc = crc16::by_default>
 [[nodiscard]] constexpr result<adu<Message, Crc>> decode(bytes wire) noexcept
 {
     return drivecodec::decode<adu<Message, Crc>>(wire);
 }
 
 /// Refused: a message that borrows its bytes would outlive them. Name the buffer first.
-template <readable_message Message, crc16::algorithm Crc = crc16::by_default, owning_temporary Temporary>
+template <codec Message, crc16::algorithm Crc = crc16::by_default, owning_temporary Temporary>
     requires(not fixed_size<Message>)
 result<adu<Message, Crc>> decode(Temporary&&) = delete;
 
