@@ -367,7 +367,6 @@ TEST(server, fails_if_the_handler_gives_another_response)
                                                                                   register_view{three}.subview(0, 1)));
 }
 
-#ifdef DRIVECODEC_TEST_WHAT_MAKE_TAKES  // KNOWN BUG: serve_pdu does not compile where `make` may fail: 17, 20, 24
 TEST(server, makes_responses_of_what_the_handler_gives)
 {
     EXPECT_EQ(serve("11"_hex, [](report_server_id::request const&) { return bytes{vectors::exception_response}; }),
@@ -394,7 +393,6 @@ TEST(server, fails_if_the_handler_gives_more_than_a_pdu_carries)
     auto const list = std::array{one, one};
     fails<read_file_record::request>("14 07 06 00 01 00 00 00 7C"_hex, record_list<file_values>{list});
 }
-#endif
 
 TEST(server, never_writes_behind_the_room_it_has)
 {
