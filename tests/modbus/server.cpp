@@ -345,6 +345,8 @@ std::array<bool, 40'000> const          many_bits{};
 register_view words(std::size_t count) { return std::span<std::uint16_t const>{many_words}.first(count); }
 coil_view     bits(std::size_t count) { return std::span<bool const>{many_bits}.first(count); }
 
+constexpr auto two_bytes_of_ones = "FF FF"_hex;
+
 TEST(server, fails_if_the_handler_gives_more_or_less_than_was_asked_for)
 {
     for (auto const count : {0U, 1U, 3U, 4U, 125U, 126U, 127U, 128U, 130U, 1000U, 32'769U, 32'770U}) {
@@ -356,6 +358,16 @@ TEST(server, fails_if_the_handler_gives_more_or_less_than_was_asked_for)
         fails<read_coils::request>("01 00 00 00 10"_hex, bits(count));
         fails<read_discrete_inputs::request>("02 00 00 00 10"_hex, bits(count));
     }
+}
+
+TEST(server, clears_the_bits_behind_the_last_coil_asked_for)
+{
+    auto const all_set = [](auto const&) { return coil_view::of_wire(bytes{two_bytes_of_ones}); };
+    EXPECT_EQ(serve("01 00 00 00 0B"_hex, [&](read_coils::request const& asked) { return all_set(asked); }),
+              list_of("01 02 FF 07"_hex));
+    EXPECT_EQ(serve("02 00 00 00 10"_hex, [&](read_discrete_inputs::request const& asked) { return all_set(asked); }),
+              list_of("02 02 FF FF"_hex));
+    fails<read_coils::request>("01 00 00 00 11"_hex, coil_view::of_wire(bytes{two_bytes_of_ones}));
 }
 
 TEST(server, fails_if_the_handler_gives_another_response)

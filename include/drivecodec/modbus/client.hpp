@@ -18,8 +18,6 @@ public:
 
     /// Precondition: code() == errc::exception_reply.
     [[nodiscard]] constexpr exception_code exception() const noexcept { return static_cast<exception_code>(offset()); }
-
-    friend constexpr bool operator==(reply_error, reply_error) noexcept = default;
 };
 
 /// The response to a request, or why there is none.

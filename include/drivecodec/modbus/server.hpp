@@ -73,8 +73,9 @@ template <typename Request, typename Given>
     } else if constexpr (message<Given>) {
         return asked.matches(given).ok() ? write_response(given, out) : refuse(exception_code::server_device_failure);
     } else if constexpr (requires { asked.asks_for(given); }) {
-        return asked.asks_for(given) ? write_response(values_payload{Request::function::code, given}, out)
-                                     : refuse(exception_code::server_device_failure);
+        if (not asked.asks_for(given)) { return refuse(exception_code::server_device_failure); }
+        decltype(auto) values = asked.exactly(given);
+        return write_response(values_payload{Request::function::code, values}, out);
     } else {
         return write_reply(asked, response::make(given), out);
     }

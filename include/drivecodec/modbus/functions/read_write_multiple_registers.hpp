@@ -120,6 +120,13 @@ struct basic_read_write_multiple_registers<MaxRead, MaxWrite>::basic_request {
         return values.size() == read_range.count();
     }
 
+    /// Just these. Precondition: asks_for(values).
+    template <typename Given>
+    [[nodiscard]] constexpr Given const& exactly(Given const& values) const noexcept
+    {
+        return values;
+    }
+
     /// Does the response hold as many registers as this asks for?
     template <typename Response>
     [[nodiscard]] constexpr error matches(Response const& given) const noexcept

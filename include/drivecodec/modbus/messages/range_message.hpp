@@ -43,12 +43,24 @@ struct range_message {
         at::count.store(out, range.count());
     }
 
-    /// As a request: are these as many values as it asks for?
+    /// As a request: are these as many values as it asks for? Coils may fill up their last byte.
     template <typename Values>
         requires std::same_as<typename Values::addressed, typename Range::addressed>
     [[nodiscard]] constexpr bool asks_for(Values const& values) const noexcept
     {
-        return values.wire_size() == Range::addressed::wire_size(range.count());
+        if constexpr (std::same_as<typename Range::addressed, registers>) { return values.size() == range.count(); }
+        return values.size() >= range.count() and values.wire_size() == coils::wire_size(range.count());
+    }
+
+    /// As a request: just the values that it asks for. Precondition: asks_for(values).
+    template <typename Values>
+    [[nodiscard]] constexpr decltype(auto) exactly(Values const& values) const noexcept
+    {
+        if constexpr (std::same_as<typename Range::addressed, coils>) {
+            return values.first(range.count());
+        } else {
+            return (values);
+        }
     }
 
     /// As a request: does the response hold as many values as it asks for?
