@@ -97,4 +97,16 @@ TEST(owning_temporary, is_a_container_about_to_die)
     VERIFY(not owning_temporary<mutable_bytes const>);
 }
 
+TEST(borrowable_by, is_what_a_span_of_elements_can_be_made_of)
+{
+    struct view {};
+    VERIFY(borrowable_by<std::array<std::uint16_t, 3>, std::uint16_t, view>);
+    VERIFY(borrowable_by<std::vector<std::uint16_t>, std::uint16_t, view>);
+    VERIFY(borrowable_by<std::span<std::uint16_t>, std::uint16_t, view>);
+    VERIFY(borrowable_by<std::span<std::uint16_t const>, std::uint16_t, view>);
+    VERIFY(not borrowable_by<std::vector<std::uint8_t>, std::uint16_t, view>);
+    VERIFY(not borrowable_by<int, std::uint16_t, view>);
+    VERIFY(not borrowable_by<view, std::uint16_t, view>);
+}
+
 }  // namespace

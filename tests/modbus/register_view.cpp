@@ -69,6 +69,17 @@ TEST(register_view, has_parts)
     VERIFY(register_view::of_wire(wire).subview(3, 0).empty());
 }
 
+TEST(register_view, is_made_of_any_run_of_host_words)
+{
+    constexpr auto first_of = [](register_view view) { return view[0]; };
+    std::vector<std::uint16_t> const vector{7, 8};
+    std::array<std::uint16_t, 2>     array{9, 10};
+    EXPECT_EQ(first_of(vector), 7);
+    EXPECT_EQ(first_of(array), 9);
+    EXPECT_EQ(first_of(std::span{array}), 9);
+    EXPECT_EQ(first_of(std::span<std::uint16_t const>{vector}), 7);
+}
+
 TEST(register_view, of_more_words_than_any_message_holds_has_too_many)
 {
     std::vector<std::uint16_t> const many(0x1'0001);

@@ -56,7 +56,10 @@ TEST(read_fifo_queue, has_a_count_up_to_31)
             ASSERT_NE(fault.code(), errc::truncated) << count;
         }
     }
-    VERIFY(response::check("18 00 42 00 20"_hex) == error{errc::bad_quantity, 3});
+    VERIFY(response::check("18 00 40 00 20"_hex) == error{errc::bad_quantity, 3});
+    VERIFY(response::check("18 00 42 00 20"_hex) == error{errc::bad_length, 1});
+    VERIFY(response::check("18 00 42"_hex) == error{errc::bad_length, 1});  // more than any PDU has
+    VERIFY(response::check("18 00 40"_hex) == error{errc::truncated, 67});
 }
 
 TEST(read_fifo_queue, has_a_byte_count_that_agrees)
