@@ -127,9 +127,12 @@ private:
     /// Looks at the readings of the front. Returns false to wait; else `found_size_` says whether one is the frame.
     [[nodiscard]] constexpr bool judge() noexcept
     {
-        auto const front = waiting();
-        for (unsigned reading = 0; reading < Framing::max_readings; ++reading) {
-            if ((refuted_ >> reading & 1U) != 0) { continue; }
+        auto const front   = waiting();
+        auto       refuted = refuted_;  // kept out of memory, which bytes may alias
+        auto       reason  = reason_;
+        auto       waits   = false;
+        for (unsigned reading = 0; reading < Framing::max_readings and not waits; ++reading) {
+            if ((refuted >> reading & 1U) != 0) { continue; }
             auto const length = framing_.length(front, reading);
             auto const fault  = judge(front, length);
             if (fault == errc::none) {
@@ -137,11 +140,16 @@ private:
                 found_reading_ = static_cast<std::uint8_t>(reading);
                 return true;
             }
-            if (fault == errc::truncated and not silent_) { return false; }
-            if (reason_ == errc::none or reason_ == errc::bad_length) { reason_ = fault; }
-            refuted_ = static_cast<std::uint8_t>(refuted_ | 1U << reading);
+            if (fault == errc::truncated and not silent_) {
+                waits = true;
+            } else {
+                if (reason == errc::none or reason == errc::bad_length) { reason = fault; }
+                refuted = static_cast<std::uint8_t>(refuted | 1U << reading);
+            }
         }
-        return true;
+        refuted_ = refuted;
+        reason_  = reason;
+        return not waits;
     }
 
     /// What is wrong with one reading; `truncated` if nothing yet.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <drivecodec/core/platform.hpp>
 #include <drivecodec/modbus/encapsulated_interface.hpp>
 #include <drivecodec/modbus/exception.hpp>
+
+#include <array>
 
 namespace drivecodec::modbus {
 
@@ -121,6 +124,13 @@ struct function_set {
 private:
     static constexpr error unsupported{errc::unsupported_function, layout::function.begin};
 
+    /// Which codes have a function: bit c % 64 of element c / 64.
+    static constexpr std::array<std::uint64_t, 2> codes = [] {
+        std::array<std::uint64_t, 2> known{};
+        ((known[to_byte(Functions::code) / 64U % 2U] |= std::uint64_t{1} << to_byte(Functions::code) % 64U), ...);
+        return known;
+    }();
+
     template <typename F>
     [[nodiscard]] static constexpr bool is(bytes pdu) noexcept
     {
@@ -146,6 +156,10 @@ private:
     [[nodiscard]] static constexpr message_length length(bytes pdu) noexcept
     {
         if (pdu.empty()) { return message_length::at_least(1); }
+        if constexpr (is_host) {  // noise is mostly not a function
+            auto const code = layout::function.load(pdu);
+            if ((codes[code / 64U % 2U] >> code % 64U & 1U) == 0) { return message_length::until_silence(); }
+        }
         auto found = message_length::until_silence();
         static_cast<void>((length_if<Functions, Direction>(pdu, found) or ...));
         return found;

@@ -19,7 +19,7 @@ struct holding_registers {
     modbus::answer<modbus::register_view> operator()(modbus::read_holding_registers::request const& asked) const
     {
         if (not exist(asked.range.first(), asked.range.count())) { return no_such_register; }
-        return modbus::register_view{{registers + asked.range.first(), asked.range.count()}};
+        return modbus::register_view{std::span{registers + asked.range.first(), asked.range.count()}};
     }
 
     modbus::answer<modbus::done> operator()(modbus::write_single_register::request const& asked) const
@@ -45,7 +45,7 @@ struct holding_registers {
             return no_such_register;
         }
         to_write.values().copy_to({registers + to_write.first(), to_write.count()});
-        return modbus::register_view{{registers + to_read.first(), to_read.count()}};
+        return modbus::register_view{std::span{registers + to_read.first(), to_read.count()}};
     }
 #endif
 };

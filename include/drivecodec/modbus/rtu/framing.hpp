@@ -53,15 +53,16 @@ public:
         constexpr auto header = layout::adu::pdu + modbus::layout::function.end;
         if (front.size() < header) { return message_length::at_least(header); }
 
-        auto const pdu       = front.subspan(layout::adu::pdu);
+        auto const pdu           = front.subspan(layout::adu::pdu);
+        auto const is_other_size = reading % 2 != 0;  // of a refusal
+        if (is_other_size and pdu.front() != exception_response::mei_function) { return message_length::impossible(); }
         auto const is_second = reading >= 2;
         if (is_second and reads_one_way(front)) { return message_length::impossible(); }
         auto const direction = is_second ? other(first_direction(front)) : first_direction(front);
 
-        if (reading % 2 != 0) {  // the other length of a refusal
-            auto const has_two = direction == direction::response and pdu.front() == exception_response::mei_function;
-            return has_two ? message_length::exactly(exception_response::mei_size + layout::adu::around)
-                           : message_length::impossible();
+        if (is_other_size) {
+            return direction == direction::response ? message_length::exactly(exception_response::mei_size + layout::adu::around)
+                                                    : message_length::impossible();
         }
         auto const length = direction == direction::request ? Functions::request_length(pdu) : Functions::response_length(pdu);
         return length.plus(length.is_open() ? layout::adu::pdu : layout::adu::around);
