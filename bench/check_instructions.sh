@@ -1,19 +1,21 @@
 #!/bin/sh
-# check_instructions.sh PROGRAM BASELINE [--update]
+# check_instructions.sh PROGRAM [BASELINE [--update]]
 #
 # Counts the instructions of every function measured_* in PROGRAM with callgrind, and compares them with BASELINE, a
 # file of lines "NAME COUNT": more than 3 % up or down fails: a gain belongs into the baseline. The counts are those of one
-# compiler on one processor, which the first line names; with another they are printed and prove nothing.
+# compiler on one processor, which the first line names; with another, or without BASELINE, they are printed and prove nothing.
 set -eu
 
 program=$1
-baseline=$2
+baseline=${2:-}
 here="# $(g++ -dumpfullversion | cut -d. -f1) $(uname -m)"
 counts=$(mktemp)
 trap 'rm -f "$counts" "$counts.all"' EXIT
 
+# Symbols are bound at once, so that nothing but the functions is counted.
+LD_BIND_NOW=1 valgrind --tool=callgrind --toggle-collect='measured_*' --callgrind-out-file="$counts" \
+    "$program" >/dev/null 2>&1
 # The caller's line in the annotated list includes what the function calls.
-valgrind --tool=callgrind --toggle-collect='measured_*' --callgrind-out-file="$counts" "$program" >/dev/null 2>&1
 callgrind_annotate --inclusive=yes --threshold=100 "$counts" |
     awk '/:measured_/ {
              count = $1; gsub(",", "", count)
@@ -22,6 +24,10 @@ callgrind_annotate --inclusive=yes --threshold=100 "$counts" |
          }
          END { for (name in most) print name, most[name] }' | sort >"$counts.all"
 
+if [ -z "$baseline" ]; then
+    cat "$counts.all"
+    exit 0
+fi
 if [ "${3:-}" = --update ]; then
     { echo "$here"; cat "$counts.all"; } >"$baseline"
     cat "$baseline"
