@@ -56,6 +56,7 @@ public:
 
     static_assert(Capacity >= Framing::max_frame_size + 2 and Capacity <= 0xFFFF,
                   "a deframer's Capacity is at least the longest frame and two bytes, at most 65535");
+    static_assert(Framing::max_readings <= 8, "a deframer keeps one bit for each reading");
 
     /// Begins as after a silence.
     constexpr deframer() noexcept = default;
@@ -74,11 +75,12 @@ public:
         return chunk.subspan(size);
     }
 
-    /// Room for bytes to come, for read(2) or DMA; empty while a silence waits for `next`.
+    /// Room for bytes to come, for read(2) or DMA: at least half of what does not wait. Empty while a silence waits for
+    /// `next`. What was filled is to be committed before the next `silence`.
     [[nodiscard]] constexpr mutable_bytes prepare() noexcept
     {
         if (silent_) { return {}; }
-        if (head_ == end_ or end_ == Capacity) { move_to_begin(); }
+        if (head_ == end_ or Capacity - end_ < head_) { move_to_begin(); }
         return mutable_bytes{buffer_}.subspan(end_);
     }
 

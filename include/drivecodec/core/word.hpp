@@ -66,6 +66,7 @@ struct word {
     template <typename Value, unsigned First, unsigned Width>
     [[nodiscard]] constexpr Value get(field<Self, Value, First, Width>) const noexcept
     {
+        static_assert(First + Width <= 8 * sizeof(Raw), "the field is outside the word");
         return static_cast<Value>((raw >> First) & low_bits<Width>);
     }
     /// Bits of `contents` above the field's width are ignored.
@@ -73,6 +74,7 @@ struct word {
     [[nodiscard]] constexpr Self with(field<Self, Value, First, Width>,
                                       std::type_identity_t<Value> contents) const noexcept
     {
+        static_assert(First + Width <= 8 * sizeof(Raw), "the field is outside the word");
         auto const bits = static_cast<Raw>((static_cast<Raw>(contents) & low_bits<Width>) << First);
         return from_raw(static_cast<Raw>((raw & ~(low_bits<Width> << First)) | bits));
     }

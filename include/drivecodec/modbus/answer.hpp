@@ -26,8 +26,10 @@ public:
     using value_type = T;
 
     constexpr compact_answer(T success) noexcept : value_{success} {}
-    /// Precondition: refusal is not 0, which no exception is.
-    constexpr compact_answer(exception_code refusal) noexcept : error_{refusal} {}
+    /// 0, which is no exception, becomes 04.
+    constexpr compact_answer(exception_code refusal) noexcept
+        : error_{refusal == exception_code{} ? exception_code::server_device_failure : refusal}
+    {}
 
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_ == exception_code{}; }
     constexpr explicit           operator bool() const noexcept { return has_value(); }

@@ -57,6 +57,7 @@ template <message Request>
 [[nodiscard]] constexpr reply<Request> check_reply(Request const& asked, bytes pdu) noexcept
 {
     if (not expects_reply(asked)) { return reply_error{error{errc::no_reply, 0}}; }
+    if (pdu.empty()) { return reply_error{error{errc::truncated, exception_response::wire_size()}}; }
     using function   = typename Request::function;
     auto const fault = detail::or_exception(function::response::check(pdu), pdu, function::code);
     if (not fault.ok()) { return reply_error{fault}; }

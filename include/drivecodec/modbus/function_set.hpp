@@ -51,6 +51,8 @@ template <function... Functions>
 struct function_set {
     static_assert(detail::all_unique<Functions...>::holds, "a function_set holds each function once");
 
+    static_assert(((to_byte(Functions::code) < exception_bit) and ...), "a function code is below 80h");
+
     template <function... More>
     using with = function_set<Functions..., More...>;
 

@@ -97,7 +97,7 @@ private:
     {}
     struct wired {};
     constexpr record_list(bytes wire, wired) noexcept
-        : wire_{wire.data()}, extent_{static_cast<std::uint16_t>(wire.size())}
+        : wire_{wire.data()}, extent_{saturate_16(wire.size())}
     {}
 
     union {

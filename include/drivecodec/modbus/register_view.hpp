@@ -24,12 +24,12 @@ public:
     constexpr register_view(Words const& words) noexcept : register_view{std::span<std::uint16_t const>{words}, host{}}
     {}
 
-    /// The first `count` registers of `wire`. Precondition: 2 * count <= wire.size().
+    /// The first `count` registers of `wire`. Precondition: 2 * count <= wire.size(), count < 65536.
     [[nodiscard]] static constexpr register_view of_wire(bytes wire, std::size_t count) noexcept
     {
         return {wire.data(), count};
     }
-    /// All registers of `wire`; an odd last byte is not part of the view.
+    /// All registers of `wire`, of which a PDU has at most 126; an odd last byte is not part of the view.
     [[nodiscard]] static constexpr register_view of_wire(bytes wire) noexcept { return of_wire(wire, wire.size() / 2); }
 
     [[nodiscard]] constexpr std::size_t size() const noexcept { return size_; }

@@ -31,7 +31,11 @@ using outcome = int;
 
 inline constexpr outcome echo = 0x100;
 
-[[nodiscard]] constexpr outcome refuse(exception_code code) noexcept { return -static_cast<outcome>(code); }
+/// 0, which is no exception, is 04.
+[[nodiscard]] constexpr outcome refuse(exception_code code) noexcept
+{
+    return -static_cast<outcome>(code == exception_code{} ? exception_code::server_device_failure : code);
+}
 
 /// Of an answer that is no response: the handler gave too much.
 [[nodiscard]] constexpr outcome refuse(error) noexcept { return refuse(exception_code::server_device_failure); }
@@ -70,12 +74,16 @@ template <typename Request, typename Given>
         } else {
             return write_response(asked.reply(), out);
         }
-    } else if constexpr (message<Given>) {
-        return asked.matches(given).ok() ? write_response(given, out) : refuse(exception_code::server_device_failure);
+    } else if constexpr (requires { asked.asks_for(given.values.values()); }) {
+        return write_reply(asked, given.values.values(), out);
     } else if constexpr (requires { asked.asks_for(given); }) {
         if (not asked.asks_for(given)) { return refuse(exception_code::server_device_failure); }
         decltype(auto) values = asked.exactly(given);
         return write_response(values_payload{Request::function::code, values}, out);
+    } else if constexpr (message<Given>) {
+        return asked.matches(given).ok() ? write_response(given, out) : refuse(exception_code::server_device_failure);
+    } else if constexpr (requires { typename response::values_type; }) {
+        return write_reply(asked, typename response::values_type{given}, out);
     } else {
         return write_reply(asked, response::make(given), out);
     }
@@ -103,6 +111,8 @@ template <typename F, typename Handler>
 /// - `F::response`, or what its `make` takes: a `register_view` (from host words or wire bytes) for 03, 04, 23, 24, a
 ///   `coil_view` for 01, 02, the byte of 07, the bytes of 17, a `record_list<file_values>` for 20;
 /// - `done{}` for what writes: 05, 06, 15, 16, 21, 22.
+///
+/// Every sub-function of 08 comes to the one overload; what that does not serve it answers with exception 01.
 ///
 /// Requests that break the protocol's rules never reach it: exception 02 for a range past the last address, 03 for a wrong
 /// quantity, byte count, value or length. An answer that does not fit in `out` or in a PDU, or that is not as long as asked

@@ -149,10 +149,10 @@ public:
         auto const data = pdu.subspan(at::data);
         if (has_one_word(sub)) {
             if (auto const fault = check_size(pdu, at::data + 2); not fault.ok()) { return fault; }
-        } else if (data.size() % 2 != 0) {
-            return {errc::bad_length, pdu.size() - 1};
         } else if (data.size() > 2 * max_words) {
             return {errc::trailing_bytes, at::data + 2 * max_words};
+        } else if (data.size() % 2 != 0) {
+            return {errc::bad_length, pdu.size() - 1};
         }
         return allows<Direction>(sub, register_view::of_wire(data)) ? error{} : error{errc::bad_value, at::data};
     }

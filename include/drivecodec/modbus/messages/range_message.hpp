@@ -2,6 +2,7 @@
 #pragma once
 
 #include <drivecodec/modbus/address_range.hpp>
+#include <drivecodec/modbus/coil_view.hpp>
 #include <drivecodec/modbus/message.hpp>
 
 namespace drivecodec::modbus {
@@ -57,7 +58,7 @@ struct range_message {
     [[nodiscard]] constexpr decltype(auto) exactly(Values const& values) const noexcept
     {
         if constexpr (std::same_as<typename Range::addressed, coils>) {
-            return values.first(range.count());
+            return coil_view{values}.first(range.count());
         } else {
             return (values);
         }

@@ -39,8 +39,9 @@ values_payload(function_code, Values const&) -> values_payload<Values>;
 /// bytes is decoded.
 template <typename Function, typename Values, std::uint16_t Max>
 struct values_response {
-    using function  = Function;
-    using addressed = typename Values::addressed;
+    using function    = Function;
+    using values_type = Values;
+    using addressed   = typename Values::addressed;
 
     static constexpr std::size_t byte_count_offset = layout::values_response::byte_count.begin;
     static constexpr std::size_t max_byte_count    = addressed::wire_size(Max);

@@ -21,7 +21,9 @@ namespace detail {
 template <crc16::algorithm Crc>
 [[nodiscard]] constexpr error check_reply_adu(bytes adu, std::uint8_t address, function_code code, error fault) noexcept
 {
-    return check_adu<Crc>(adu, address, modbus::detail::or_exception(fault, pdu_or_nothing(adu), code));
+    constexpr auto shortest = layout::adu::around + exception_response::wire_size();  // no reply is shorter than an exception
+    if (adu.size() < shortest) { return {errc::truncated, shortest}; }
+    return check_adu<Crc>(adu, address, modbus::detail::or_exception(fault, pdu_of(adu), code));
 }
 
 }  // namespace detail

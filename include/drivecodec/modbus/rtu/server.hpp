@@ -16,13 +16,14 @@ namespace drivecodec::modbus::rtu {
 template <typename Functions = void, crc16::algorithm Crc = crc16::by_default, typename Handler>
 [[nodiscard]] constexpr bytes serve(server_address own, bytes adu, mutable_bytes reply, Handler&& handler) noexcept
 {
-    if (adu.size() < min_adu_size or adu.size() > max_adu_size or reply.size() < min_adu_size) { return {}; }
+    if (adu.size() < min_adu_size or adu.size() > max_adu_size) { return {}; }
     auto const address      = layout::adu::address.load(adu);
     auto const is_broadcast = address == server_address{broadcast}.byte();
     if ((address != own.byte() and not is_broadcast) or not has_valid_crc<Crc>(adu)) { return {}; }
 
-    auto const room = is_broadcast ? 0 : reply.size() - layout::adu::around;
-    auto const size = serve_pdu<Functions>(pdu_of(adu), reply.subspan(layout::adu::pdu, room), handler);
+    // Of a broadcast there is nobody to answer, of a reply without room nothing to say it with.
+    auto const room = is_broadcast or reply.size() < min_adu_size ? 0 : reply.size() - layout::adu::around;
+    auto const size = serve_pdu<Functions>(pdu_of(adu), reply.subspan(room == 0 ? 0 : layout::adu::pdu, room), handler);
     if (size == 0) { return {}; }
     reply = reply.first(size + layout::adu::around);
     layout::adu::address.store(reply, own.byte());
