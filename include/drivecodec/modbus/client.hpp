@@ -64,4 +64,9 @@ template <message Request>
     return detail::match_reply(asked, pdu, 0);
 }
 
+/// Refused: a response that borrows its bytes would outlive them. Name the buffer first.
+template <message Request, owning_temporary Temporary>
+    requires(not fixed_size<typename Request::function::response>)
+reply<Request> check_reply(Request const&, Temporary&&) = delete;
+
 }  // namespace drivecodec::modbus

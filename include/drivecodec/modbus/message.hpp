@@ -14,6 +14,10 @@ namespace drivecodec::modbus {
 template <typename T>
 concept message = writable<T> and requires { T::function::code; };
 
+/// What may stand in a frame: a message, or what says `is_pdu` of itself.
+template <typename T>
+concept framable = writable<T> and (message<T> or requires { requires T::is_pdu; });
+
 /// A message that can also be read. Its `length` looks at no more of the PDU than the header.
 template <typename T>
 concept readable_message = message<T> and codec<T> and requires(bytes pdu) {

@@ -8,12 +8,18 @@ namespace drivecodec::modbus {
 /// A PDU of which only the size is known: what a gateway passes from one line to another. 1 to 253 bytes, borrowed.
 class raw_pdu {
 public:
+    static constexpr bool is_pdu = true;
+
     /// Errors: those of `check`.
     [[nodiscard]] static constexpr result<raw_pdu> make(bytes pdu) noexcept
     {
         if (auto const fault = check(pdu); not fault.ok()) { return fault; }
         return read(pdu);
     }
+
+    /// Refused: it would outlive the bytes. Name the buffer first.
+    template <owning_temporary Temporary>
+    static result<raw_pdu> make(Temporary&&) = delete;
 
     [[nodiscard]] constexpr bytes         wire() const noexcept { return wire_; }
     [[nodiscard]] constexpr function_code function() const noexcept

@@ -27,8 +27,6 @@ class read_file_record::response
     using base = records_message<read_file_record, record_list<file_values>, min_response_byte_count, max_response_byte_count>;
 
 public:
-    constexpr response(base const& message) noexcept : base{message} {}
-
     /// Errors: `bad_quantity` at the byte count: no values, or more than fit in a PDU.
     [[nodiscard]] static constexpr result<response> make(record_list<file_values> values_to_send) noexcept
     {
@@ -46,7 +44,10 @@ public:
         return base::check(pdu);
     }
 
-    [[nodiscard]] static constexpr response read(bytes pdu) noexcept { return base::read(pdu); }
+    [[nodiscard]] static constexpr response read(bytes pdu) noexcept { return response{base::read(pdu)}; }
+
+private:
+    constexpr explicit response(base const& message) noexcept : base{message} {}
 };
 
 /// Asks for up to 35 ranges, of which the values fit in one response.
@@ -55,8 +56,6 @@ class read_file_record::request
     using base = records_message<read_file_record, record_list<file_record_range>, min_byte_count, max_byte_count>;
 
 public:
-    constexpr request(base const& message) noexcept : base{message} {}
-
     /// Errors: `bad_quantity` at the byte count: no range, too many ranges, or values that no response can carry.
     [[nodiscard]] static constexpr result<request> make(record_list<file_record_range> ranges) noexcept
     {
@@ -73,7 +72,7 @@ public:
         return fault.ok() ? check_total(base::read(pdu)) : fault;
     }
 
-    [[nodiscard]] static constexpr request read(bytes pdu) noexcept { return base::read(pdu); }
+    [[nodiscard]] static constexpr request read(bytes pdu) noexcept { return request{base::read(pdu)}; }
 
     /// Does the response have as many values for each range as this asked for?
     [[nodiscard]] constexpr error matches(response const& given) const noexcept
@@ -91,6 +90,8 @@ public:
     }
 
 private:
+    constexpr explicit request(base const& message) noexcept : base{message} {}
+
     [[nodiscard]] static constexpr error check_total(base const& message) noexcept
     {
         std::size_t offset = layout::records_message::records;

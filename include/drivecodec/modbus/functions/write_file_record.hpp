@@ -33,7 +33,6 @@ class write_file_record::basic_request
 
 public:
     using base::base;
-    constexpr basic_request(base const& message) noexcept : base{message} {}
 
     /// Errors: `bad_quantity` at the byte count: no record, or more than fit in a PDU.
     [[nodiscard]] static constexpr result<basic_request> make(Records records_to_send) noexcept
@@ -43,7 +42,7 @@ public:
         return basic_request{*made};
     }
 
-    [[nodiscard]] static constexpr basic_request read(bytes pdu) noexcept { return base::read(pdu); }
+    [[nodiscard]] static constexpr basic_request read(bytes pdu) noexcept { return basic_request{base::read(pdu)}; }
 
     /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
     [[nodiscard]] constexpr std::size_t echo_size() const noexcept { return this->wire_size(); }
@@ -54,6 +53,9 @@ public:
     {
         return expect_equal(given == *this, layout::records_message::records);
     }
+
+private:
+    constexpr explicit basic_request(base const& message) noexcept : base{message} {}
 };
 
 template <std::size_t N>

@@ -65,7 +65,7 @@ template <crc16::algorithm Crc>
 ///
 /// `check` tells apart what a longer frame would mend (`truncated`), what the line has damaged (`bad_checksum`), and what
 /// the other side has sent wrongly (the errors of the message).
-template <writable Message, crc16::algorithm Crc = crc16::by_default>
+template <framable Message, crc16::algorithm Crc = crc16::by_default>
 struct adu {
     server_address address;
     Message        message;
@@ -106,17 +106,22 @@ struct adu {
 //=== the gates ===//
 
 /// The frame of a message whose size the compiler knows. Cannot fail; a constant one is built by the compiler.
-template <crc16::algorithm Crc = crc16::by_default, fixed_size Message>
+template <crc16::algorithm Crc = crc16::by_default, framable Message>
+    requires fixed_size<Message>
 [[nodiscard]] constexpr auto encode(server_address address, Message const& message) noexcept
 {
+    static_assert(Message::wire_size() <= max_pdu_size, "no PDU is longer than 253 bytes");
     return drivecodec::encode(adu<Message, Crc>{address, message});
 }
 
-/// Writes the frame to the front of `out`; returns the part written. Errors: `no_space`, and then `out` is untouched.
-template <crc16::algorithm Crc = crc16::by_default, writable Message>
+/// Writes the frame to the front of `out`; returns the part written.
+///
+/// Errors, and then `out` is untouched: `no_space`; `bad_length` for a user's message that is longer than a PDU.
+template <crc16::algorithm Crc = crc16::by_default, framable Message>
 [[nodiscard]] constexpr result<mutable_bytes> encode(server_address address, Message const& message,
                                                      mutable_bytes out) noexcept
 {
+    if (message.wire_size() > max_pdu_size) { return error{errc::bad_length, layout::adu::pdu}; }
     return drivecodec::encode(adu<Message, Crc>{address, message}, out);
 }
 
@@ -126,14 +131,14 @@ template <crc16::algorithm Crc = crc16::by_default, message Message>
 [[nodiscard]] constexpr auto encode(broadcast_address address, Message const& message) noexcept
 {
     static_assert(is_write<typename Message::function>(), "only a write can be broadcast: nobody answers a broadcast");
-    return drivecodec::encode(adu<Message, Crc>{address, message});
+    return encode<Crc>(server_address{address}, message);
 }
 template <crc16::algorithm Crc = crc16::by_default, message Message>
 [[nodiscard]] constexpr result<mutable_bytes> encode(broadcast_address address, Message const& message,
                                                      mutable_bytes out) noexcept
 {
     static_assert(is_write<typename Message::function>(), "only a write can be broadcast: nobody answers a broadcast");
-    return drivecodec::encode(adu<Message, Crc>{address, message}, out);
+    return encode<Crc>(server_address{address}, message, out);
 }
 
 /// The message that the frame `wire` holds, and its address. Views inside it point into `wire`.
@@ -147,7 +152,7 @@ template <codec Message, crc16::algorithm Crc = crc16::by_default>
 
 /// Refused: a message that borrows its bytes would outlive them. Name the buffer first.
 template <codec Message, crc16::algorithm Crc = crc16::by_default, owning_temporary Temporary>
-    requires(not fixed_size<Message>)
+    requires(framable<Message> and not fixed_size<Message>)
 result<adu<Message, Crc>> decode(Temporary&&) = delete;
 
 }  // namespace drivecodec::modbus::rtu

@@ -45,6 +45,7 @@ template <crc16::algorithm Crc = crc16::by_default, message Request>
 
 /// Refused: a response that borrows its bytes would outlive them. Name the buffer first.
 template <crc16::algorithm Crc = crc16::by_default, message Request, owning_temporary Temporary>
+    requires(not fixed_size<typename Request::function::response>)
 reply<Request> check(server_address, Request const&, Temporary&&) = delete;
 
 /// What follows one's own request, for adapters on which one hears oneself.
