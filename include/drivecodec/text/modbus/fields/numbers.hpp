@@ -2,6 +2,8 @@
 #pragma once
 
 #include <drivecodec/modbus/functions/canopen_general_reference.hpp>
+#include <drivecodec/modbus/functions/get_comm_event_counter.hpp>
+#include <drivecodec/modbus/functions/get_comm_event_log.hpp>
 #include <drivecodec/modbus/functions/mask_write_register.hpp>
 #include <drivecodec/modbus/functions/read_exception_status.hpp>
 #include <drivecodec/modbus/functions/report_server_id.hpp>
