@@ -74,16 +74,22 @@ judge() {
             figure("CRC of 256 bytes, default: as fast as the table", table / ns["compute<crc16::slices>/256"],
                    "%.1f times", "at least", 3.5)
             if ("compute<crc16::carryless>/256" in ns)
-                figure("CRC of 256 bytes, carry-less: as fast as the table", table / ns["compute<crc16::carryless>/256"],
-                       "%.1f times", "at least", 12)
+                figure("CRC of 256 bytes, carry-less: as fast as the table",
+                       table / ns["compute<crc16::carryless>/256"], "%.1f times", "at least", 12)
             figure("decode and check response 03, 125 registers: beyond its CRC",
                    ns["decode_response_03"] - ns["crc_of_response_03"], "%.0f ns", "at most", 40)
             figure("encode request 16, 123 registers: of its CRC", ns["encode_request_16"] / ns["crc_of_request_16"],
                    "%.2f times", "at most", 2)
-            figure("stream reader, random garbage: of valid traffic, a byte", ns["random_garbage"] / ns["valid_traffic"],
-                   "%.1f times", "at most", 20)
+            figure("stream reader, random garbage: of polls of 10 registers, a byte",
+                   ns["random_garbage"] / ns["poll<10>"], "%.1f times", "at most", 20)
+            report("stream reader, random garbage: of polls of 40 registers, a byte",
+                   sprintf("%.1f times", ns["random_garbage"] / ns["poll<40>"]))
+            report("stream reader, random garbage: of polls of 125 registers, a byte",
+                   sprintf("%.1f times", ns["random_garbage"] / ns["poll<125>"]))
             report("CRC of 256 bytes, default", sprintf("%.0f ns", ns["compute<crc16::slices>/256"]))
-            report("stream reader, valid traffic", speed("valid_traffic"))
+            report("stream reader, polls of 10 registers", speed("poll<10>"))
+            report("stream reader, polls of 40 registers", speed("poll<40>"))
+            report("stream reader, polls of 125 registers", speed("poll<125>"))
             report("stream reader, valid frames of 8 bytes", speed("valid_short_frames"))
             report("stream reader, random garbage", speed("random_garbage"))
             report("stream reader, hostile", speed("hostile"))

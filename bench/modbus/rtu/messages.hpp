@@ -27,8 +27,8 @@ inline constexpr auto words_123 = [] {
 constexpr auto asked = modbus::read_holding_registers::request{{0x006B, 125}};
 
 inline constexpr auto request_03  = rtu::encode(7, modbus::read_holding_registers::request{{0x006B, 3}});
-inline constexpr auto response_03 = rtu::encode(
-    7, modbus::read_holding_registers::basic_response<modbus::register_array<125>>{{modbus::register_array<125>{words_125}}});
+using response_of_125 = modbus::read_holding_registers::basic_response<modbus::register_array<125>>;
+inline constexpr auto response_03 = rtu::encode(7, response_of_125{{modbus::register_array<125>{words_125}}});
 constexpr std::size_t request_16_size = rtu::layout::adu::around + 6 + 2 * words_123.size();
 
 /// A request of eight bytes: all rules and the CRC, then its fields. 0 if it is refused.

@@ -38,12 +38,14 @@ void read(benchmark::State& state, std::vector<std::uint8_t> const& stream)
     state.counters["dropped"] = reader.counters().dropped_bytes - before.dropped_bytes;
 }
 
-/// A client that polls ten registers of one server: 8 bytes, then 25.
-void valid_traffic(benchmark::State& state)
+/// A client that polls `Count` registers of one server.
+template <int Count>
+void poll(benchmark::State& state)
 {
-    constexpr auto request  = rtu::encode(7, read_holding_registers::request{{0x006B, 10}});
-    constexpr auto response = rtu::encode(
-        7, read_holding_registers::basic_response<register_array<10>>{{register_array<10>{{0x1234, 0x5678, 0x9ABC}}}});
+    using response_type     = read_holding_registers::basic_response<register_array<Count>>;
+    constexpr auto request  = rtu::encode(7, read_holding_registers::request{{0x006B, Count}});
+    constexpr auto response = rtu::encode(7, response_type{{register_array<Count>{{0x1234, 0x5678, 0x9ABC}}}});
+
     std::vector<std::uint8_t> stream;
     while (stream.size() < stream_size) {
         stream.insert(stream.end(), request.begin(), request.end());
@@ -52,7 +54,9 @@ void valid_traffic(benchmark::State& state)
     read(state, stream);
     if (state.counters["dropped"] != 0) { state.SkipWithError("valid frames were dropped"); }
 }
-BENCHMARK(valid_traffic);
+BENCHMARK_TEMPLATE(poll, 10);   // 8 bytes, then 25
+BENCHMARK_TEMPLATE(poll, 40);   // 85
+BENCHMARK_TEMPLATE(poll, 125);  // 255
 
 /// The shortest frames: requests and responses of eight bytes.
 void valid_short_frames(benchmark::State& state)

@@ -17,7 +17,7 @@ bool poll(std::uint16_t* values)
 {
     std::uint8_t reply[longest_reply];
     transmit(question_frame.data(), question_frame.size());
-    // Not const: a const object that an inlined function has made stays in memory with g++ 12, for 44 bytes of code more.
+    // Not const: a const object made by an inlined function stays in memory with g++ 12, for 44 bytes of code more.
     auto response = rtu::check(drive, question, {reply, receive(reply)});
     if (not response) { return false; }
     response->values.copy_to({values, polled_count});

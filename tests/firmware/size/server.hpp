@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-// An application that serves sixteen registers. Written twice: server.cpp with the library, server_reference.cpp without.
-// server_main.cpp is the world around both. READ_WRITE adds function 23.
+// An application that serves sixteen registers. Written twice: server.cpp with the library, server_reference.cpp
+// without. server_main.cpp is the world around both. READ_WRITE adds function 23.
 
 constexpr std::size_t register_count = 16;
 constexpr std::size_t longest_reply  = 64;

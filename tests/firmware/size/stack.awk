@@ -1,8 +1,8 @@
 # awk -v name=NAME -v max=BYTES -v buffers=BYTES -v entries=FUNCTION,... -f stack.awk UNIT.ci
 #
-# The stack that the deepest chain of calls below the entries takes: the sum of what g++ -fcallgraph-info=su says of each
-# function, without the buffers of the entry. The unit holds all of the library that it calls; what it calls outside is
-# the application's, and named.
+# The stack that the deepest chain of calls below the entries takes: the sum of what g++ -fcallgraph-info=su says of
+# each function, without the buffers of the entry. The unit holds all of the library that it calls; what it calls
+# outside is the application's, and named.
 BEGIN { FS = "\"" }
 
 /^node:/ && match($4, /[0-9]+ bytes \([a-z,]+\)/) {
