@@ -39,7 +39,7 @@ void read(benchmark::State& state, std::vector<std::uint8_t> const& stream)
 }
 
 /// A client that polls `Count` registers of one server.
-template <int Count>
+template <std::size_t Count>
 void poll(benchmark::State& state)
 {
     using response_type     = read_holding_registers::basic_response<register_array<Count>>;
