@@ -3,7 +3,7 @@
 #
 # Counts the instructions of every function measured_* in PROGRAM with callgrind, and compares them with BASELINE, a
 # file of lines "NAME COUNT": more than 3 % up or down fails, for a gain belongs into the baseline. The counts are those
-# of one compiler on one processor, which the first line names; with another, or without BASELINE, they are printed only.
+# of one compiler on one processor, which the first line names; with another, or without BASELINE, they are only shown.
 set -eu
 
 program=$1
