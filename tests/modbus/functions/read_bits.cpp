@@ -120,7 +120,8 @@ TYPED_TEST(read_bits, survive_encoding_and_decoding_as_a_response_of_every_size)
     }
 }
 
-TYPED_TEST(read_bits, are_answered_by_as_many_bytes)
+// A client sees whole bytes; a server may give the states asked for or fill up their last byte.
+TYPED_TEST(read_bits, are_answered_by_as_many_bytes_and_no_fewer_states)
 {
     using request  = typename TypeParam::request;
     using response = typename TypeParam::response;
@@ -128,11 +129,28 @@ TYPED_TEST(read_bits, are_answered_by_as_many_bytes)
     for (unsigned count = 1; count <= 2000; count += 7) {
         auto const asked = request::read(request_pdu<TypeParam>(0, count));
         for (std::size_t given : {std::size_t{1}, std::size_t{8}, std::size_t{9}, std::size_t{count}, std::size_t{2000}}) {
-            auto const reply    = *response::make(std::span<bool const>{states.get(), given});
-            auto const expected = (given + 7) / 8 == (count + 7) / 8 ? error{} : error{errc::unexpected_reply, 1};
-            ASSERT_EQ(asked.matches(reply), expected) << count << " " << given;
+            auto const reply      = *response::make(std::span<bool const>{states.get(), given});
+            auto const wire       = properties::wire_of(reply);
+            auto const same_bytes = (given + 7) / 8 == (count + 7) / 8;
+            auto const unexpected = error{errc::unexpected_reply, 1};
+            ASSERT_EQ(asked.matches(*decode<response>(wire)), (same_bytes ? error{} : unexpected)) << count << " " << given;
+            ASSERT_EQ(asked.matches(reply), (same_bytes and given >= count ? error{} : unexpected)) << count << " " << given;
         }
     }
+}
+
+TYPED_TEST(read_bits, are_cut_to_the_states_asked_for)
+{
+    using request = typename TypeParam::request;
+
+    static constexpr auto wire   = "FF FF"_hex;
+    auto const            asked  = request::read(request_pdu<TypeParam>(0, 10));
+    auto const            states = coil_view::of_wire(wire);
+    EXPECT_TRUE(asked.asks_for(states));
+    EXPECT_EQ(asked.exactly(states).size(), 10U);
+    EXPECT_FALSE(asked.asks_for(states.first(9)));
+    EXPECT_TRUE(asked.asks_for(states.first(10)));
+    EXPECT_FALSE(asked.asks_for(states.first(8)));
 }
 
 //=== of one device ===//

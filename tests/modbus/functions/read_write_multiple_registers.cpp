@@ -72,9 +72,10 @@ TEST(read_write_multiple_registers, writes_1_to_121)
 
 TEST(read_write_multiple_registers, goes_not_beyond_65535)
 {
-    EXPECT_EQ(request::check(pdu_of(0xFFFF, 2, 0, 1)), (error{errc::bad_address, 1}));
-    EXPECT_EQ(request::check(pdu_of(0xFFFF, 1, 0xFFFF, 2)), (error{errc::bad_address, 5}));
-    EXPECT_EQ(request::check(pdu_of(0xFFFF, 1, 0xFFFF, 1)), (error{errc::truncated, 12}));
+    VERIFY(request::check("17 FF FF 00 02 00 00 00 01 02 00 00"_hex) == error{errc::bad_address, 1});
+    VERIFY(request::check("17 FF FF 00 01 FF FF 00 02 04 00 00 00 00"_hex) == error{errc::bad_address, 5});
+    VERIFY(request::check("17 FF FF 00 02 FF FF 00 02 04 00 00 00 00"_hex) == error{errc::bad_address, 1});
+    VERIFY(request::check("17 FF FF 00 01 FF FF 00 01 02 00 00"_hex).ok());
     VERIFY(request::make({0, 1}, 0xFFFE, words).error() == error{errc::bad_address, 5});
     VERIFY(request::make({0, 1}, 0xFFFD, words).has_value());
 }

@@ -35,7 +35,7 @@ TEST(block_request, has_the_limit_of_its_device)
     VERIFY(registers_4::make(0xFFFF, register_view{words}.subview(0, 2)).error() == error{errc::bad_address, 1});
     VERIFY(registers_4::check("41 00 00 00 00 00"_hex) == error{errc::bad_quantity, 3});
     VERIFY(registers_4::check("41 00 00 00 05 0A"_hex) == error{errc::bad_quantity, 3});
-    VERIFY(registers_4::check("41 FF FF 00 02 04"_hex) == error{errc::bad_address, 1});
+    VERIFY(registers_4::check("41 FF FF 00 02 04 00 00 00 00"_hex) == error{errc::bad_address, 1});
 }
 
 TEST(block_request, has_a_byte_count_that_agrees)

@@ -49,6 +49,7 @@ struct some_registers {
     using addressed = registers;
 
     std::size_t                         count;
+    [[nodiscard]] constexpr std::size_t size() const { return count; }
     [[nodiscard]] constexpr std::size_t wire_size() const { return 2 * count; }
 };
 
