@@ -122,7 +122,7 @@ TEST(client, refuses_a_reply_of_another_quantity)
     }
     constexpr auto six = "17 00 03 00 06 00 0E 00 03 06 00 FF 00 FF 00 FF"_hex;
     auto const     asked = *drivecodec::decode<read_write_multiple_registers::request>(six);
-    EXPECT_EQ(check_reply(asked, "17 0A 00 00 00 00 00 00 00 00 00 00"_hex).error(), fault(errc::unexpected_reply, 1));
+    EXPECT_EQ(check_reply(asked, bytes{"17 0A 00 00 00 00 00 00 00 00 00 00"_hex}).error(), fault(errc::unexpected_reply, 1));
 }
 
 /// A reply that differs in any bit from what repeats the request is not taken.
@@ -157,39 +157,39 @@ TEST(client, says_which_field_differs)
     static constexpr write_single_coil::request     coil{.address = 172, .value = true};
     static constexpr write_single_register::request one{.address = 1, .value = 3};
     static constexpr mask_write_register::request   mask{.address = 4, .and_mask = 0xF2, .or_mask = 0x25};
-    VERIFY(check_reply(coil, "05 00 AD FF 00"_hex).error() == fault(errc::unexpected_reply, 1));
-    VERIFY(check_reply(coil, "05 00 AC 00 00"_hex).error() == fault(errc::unexpected_reply, 3));
-    VERIFY(check_reply(coil, "05 00 AC 12 34"_hex).error() == fault(errc::bad_value, 3));
-    VERIFY(check_reply(one, "06 00 02 00 03"_hex).error() == fault(errc::unexpected_reply, 1));
-    VERIFY(check_reply(one, "06 00 01 00 04"_hex).error() == fault(errc::unexpected_reply, 3));
-    VERIFY(check_reply(mask, "16 00 05 00 F2 00 25"_hex).error() == fault(errc::unexpected_reply, 1));
-    VERIFY(check_reply(mask, "16 00 04 00 F3 00 25"_hex).error() == fault(errc::unexpected_reply, 3));
-    VERIFY(check_reply(mask, "16 00 04 00 F2 00 26"_hex).error() == fault(errc::unexpected_reply, 5));
+    VERIFY(check_reply(coil, bytes{"05 00 AD FF 00"_hex}).error() == fault(errc::unexpected_reply, 1));
+    VERIFY(check_reply(coil, bytes{"05 00 AC 00 00"_hex}).error() == fault(errc::unexpected_reply, 3));
+    VERIFY(check_reply(coil, bytes{"05 00 AC 12 34"_hex}).error() == fault(errc::bad_value, 3));
+    VERIFY(check_reply(one, bytes{"06 00 02 00 03"_hex}).error() == fault(errc::unexpected_reply, 1));
+    VERIFY(check_reply(one, bytes{"06 00 01 00 04"_hex}).error() == fault(errc::unexpected_reply, 3));
+    VERIFY(check_reply(mask, bytes{"16 00 05 00 F2 00 25"_hex}).error() == fault(errc::unexpected_reply, 1));
+    VERIFY(check_reply(mask, bytes{"16 00 04 00 F3 00 25"_hex}).error() == fault(errc::unexpected_reply, 3));
+    VERIFY(check_reply(mask, bytes{"16 00 04 00 F2 00 26"_hex}).error() == fault(errc::unexpected_reply, 5));
 }
 
 TEST(client, takes_the_value_of_a_counter_but_of_no_other)
 {
     static constexpr auto asked = diagnostics::of(diagnostic::return_bus_message_count);
-    VERIFY(check_reply(asked, "08 00 0B 12 34"_hex)->data()[0] == 0x1234);
-    VERIFY(check_reply(asked, "08 00 0C 12 34"_hex).error() == fault(errc::unexpected_reply, 1));
+    VERIFY(check_reply(asked, bytes{"08 00 0B 12 34"_hex})->data()[0] == 0x1234);
+    VERIFY(check_reply(asked, bytes{"08 00 0C 12 34"_hex}).error() == fault(errc::unexpected_reply, 1));
     static constexpr auto loop = diagnostics::of(diagnostic::return_query_data, {0xA537, 0x0102});
-    VERIFY(check_reply(loop, "08 00 00 A5 37 01 02"_hex).has_value());
-    VERIFY(check_reply(loop, "08 00 00 A5 37 01 03"_hex).error() == fault(errc::unexpected_reply, 3));
-    VERIFY(check_reply(loop, "08 00 00 A5 37"_hex).error() == fault(errc::unexpected_reply, 3));
+    VERIFY(check_reply(loop, bytes{"08 00 00 A5 37 01 02"_hex}).has_value());
+    VERIFY(check_reply(loop, bytes{"08 00 00 A5 37 01 03"_hex}).error() == fault(errc::unexpected_reply, 3));
+    VERIFY(check_reply(loop, bytes{"08 00 00 A5 37"_hex}).error() == fault(errc::unexpected_reply, 3));
 }
 
 TEST(client, takes_the_records_and_objects_that_it_asked_for)
 {
     auto const files = *drivecodec::decode<read_file_record::request>(vectors::read_file_record_request);
-    EXPECT_FALSE(check_reply(files, "14 06 05 06 0D FE 00 20"_hex));                                 // one is missing
-    EXPECT_FALSE(check_reply(files, "14 0C 03 06 0D FE 07 06 33 CD 00 40 00 00"_hex));               // of other lengths
-    EXPECT_FALSE(check_reply(files, "14 12 05 06 0D FE 00 20 05 06 33 CD 00 40 05 06 33 CD 00 40"_hex));  // one too many
+    EXPECT_FALSE(check_reply(files, bytes{"14 06 05 06 0D FE 00 20"_hex}));                                 // one is missing
+    EXPECT_FALSE(check_reply(files, bytes{"14 0C 03 06 0D FE 07 06 33 CD 00 40 00 00"_hex}));               // of other lengths
+    EXPECT_FALSE(check_reply(files, bytes{"14 12 05 06 0D FE 00 20 05 06 33 CD 00 40 05 06 33 CD 00 40"_hex}));  // one too many
 
     constexpr read_device_identification::request one{read_device_id_code::specific, 2};
-    EXPECT_TRUE(check_reply(one, "2B 0E 04 83 00 00 01 02 01 41"_hex));
-    EXPECT_FALSE(check_reply(one, "2B 0E 04 83 00 00 01 03 01 41"_hex));
-    EXPECT_FALSE(check_reply(one, "2B 0E 01 83 00 00 01 02 01 41"_hex));
-    EXPECT_FALSE(check_reply(one, "2B 0E 04 83 00 00 02 02 01 41 03 00"_hex));
+    EXPECT_TRUE(check_reply(one, bytes{"2B 0E 04 83 00 00 01 02 01 41"_hex}));
+    EXPECT_FALSE(check_reply(one, bytes{"2B 0E 04 83 00 00 01 03 01 41"_hex}));
+    EXPECT_FALSE(check_reply(one, bytes{"2B 0E 01 83 00 00 01 02 01 41"_hex}));
+    EXPECT_FALSE(check_reply(one, bytes{"2B 0E 04 83 00 00 02 02 01 41 03 00"_hex}));
 }
 
 //=== exceptions ===//
@@ -223,17 +223,17 @@ TEST(client, refuses_an_exception_of_another_function)
 TEST(client, refuses_an_exception_of_another_length)
 {
     static constexpr read_holding_registers::request asked{{107, 3}};
-    VERIFY(check_reply(asked, "83"_hex).error() == fault(errc::truncated, 2));
-    VERIFY(check_reply(asked, "83 02 00"_hex).error() == fault(errc::trailing_bytes, 2));
-    VERIFY(check_reply(asked, "83 02"_hex).error().exception() == exception_code::illegal_data_address);
+    VERIFY(check_reply(asked, bytes{"83"_hex}).error() == fault(errc::truncated, 2));
+    VERIFY(check_reply(asked, bytes{"83 02 00"_hex}).error() == fault(errc::trailing_bytes, 2));
+    VERIFY(check_reply(asked, bytes{"83 02"_hex}).error().exception() == exception_code::illegal_data_address);
 }
 
 TEST(client, is_told_of_exceptions_of_function_43_in_both_forms)
 {
     static constexpr read_device_identification::request asked{read_device_id_code::basic};
-    VERIFY(check_reply(asked, "AB 02"_hex).error() == reply_error{exception_code::illegal_data_address});
-    VERIFY(check_reply(asked, "AB 0E 02"_hex).error() == reply_error{exception_code::illegal_data_address});
-    VERIFY(check_reply(asked, "AB 0E 02 00"_hex).error().code() == errc::trailing_bytes);
+    VERIFY(check_reply(asked, bytes{"AB 02"_hex}).error() == reply_error{exception_code::illegal_data_address});
+    VERIFY(check_reply(asked, bytes{"AB 0E 02"_hex}).error() == reply_error{exception_code::illegal_data_address});
+    VERIFY(check_reply(asked, bytes{"AB 0E 02 00"_hex}).error().code() == errc::trailing_bytes);
 }
 
 //=== no reply ===//
@@ -242,7 +242,7 @@ TEST(client, waits_for_no_reply_to_force_listen_only_mode)
 {
     static constexpr auto silent = diagnostics::of(diagnostic::force_listen_only_mode);
     VERIFY(not expects_reply(silent));
-    VERIFY(check_reply(silent, "08 00 04 00 00"_hex).error() == fault(errc::no_reply, 0));
+    VERIFY(check_reply(silent, bytes{"08 00 04 00 00"_hex}).error() == fault(errc::no_reply, 0));
     static constexpr auto restart = diagnostics::of(diagnostic::restart_communications_option);
     VERIFY(expects_reply(restart));
 }
