@@ -77,11 +77,12 @@ constexpr void copy_bytes(bytes from, mutable_bytes to) noexcept
 
 /// A container or span of `Value` that a `View` may borrow; not a `View` itself, nor what is made of one.
 template <typename Container, typename Value, typename View>
-concept borrowable_by = not std::is_base_of_v<View, Container> and std::is_convertible_v<Container const&, std::span<Value const>>;
+concept borrowable_by =
+    not std::is_base_of_v<View, Container> and std::is_convertible_v<Container const&, std::span<Value const>>;
 
 /// An owning container as a temporary: what borrows its bytes would outlive them.
 template <typename T>
-concept owning_temporary = not std::is_lvalue_reference_v<T>
-                           and not std::ranges::enable_borrowed_range<std::remove_cvref_t<T>>;
+concept owning_temporary =
+    not std::is_lvalue_reference_v<T> and not std::ranges::enable_borrowed_range<std::remove_cvref_t<T>>;
 
 }  // namespace drivecodec

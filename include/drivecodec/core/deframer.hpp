@@ -34,18 +34,18 @@ concept framing = requires(T scheme, T const asked, bytes front, unsigned readin
 ///     reader.silence();
 ///     while (auto const item = reader.next()) { ... }
 ///
-/// At the front of its buffer, a reading is the frame when it is complete, its checksum is right, and every earlier reading
-/// is wrong or impossible. While an earlier one is incomplete it waits; `silence()` makes what is incomplete
+/// At the front of its buffer, a reading is the frame when it is complete, its checksum is right, and every earlier
+/// reading is wrong or impossible. While an earlier one is incomplete it waits; `silence()` makes what is incomplete
 /// impossible, and ends frames of which no field tells the length. When no reading is left, it drops one byte and looks
 /// again. So what comes out does not depend on the chunks.
 ///
-/// Each reading of each position is verified once: at most `max_readings` checksums of at most `max_frame_size` bytes for
-/// each byte that comes in. A run of dropped bytes ends at a frame, at a silence, or when it has `max_run` bytes. It
-/// never allocates; its size is `Capacity` and a few bytes.
+/// Each reading of each position is verified once: at most `max_readings` checksums of at most `max_frame_size` bytes
+/// for each byte that comes in. A run of dropped bytes ends at a frame, at a silence, or when it has `max_run` bytes.
+/// It never allocates; its size is `Capacity` and a few bytes.
 ///
 /// One context at a time: no function may interrupt another of the same reader. All of them may run in an interrupt;
-/// `commit`, `silence` and `prepare` (which at worst moves the bytes that wait) take a short bounded time, `next` computes
-/// checksums. What `next` gave stays valid until the next call of a function that is not const.
+/// `commit`, `silence` and `prepare` (which at worst moves the bytes that wait) take a short bounded time, `next`
+/// computes checksums. What `next` gave stays valid until the next call of a function that is not const.
 template <framing Framing, std::size_t Capacity = Framing::max_frame_size + 64>
 class deframer {
 public:
@@ -124,7 +124,7 @@ public:
 
 private:
     [[nodiscard]] constexpr std::size_t run_size() const noexcept { return static_cast<std::size_t>(front_ - head_); }
-    [[nodiscard]] constexpr bytes       waiting() const noexcept { return bytes{buffer_}.subspan(front_, end_ - front_); }
+    [[nodiscard]] constexpr bytes waiting() const noexcept { return bytes{buffer_}.subspan(front_, end_ - front_); }
 
     /// Looks at the readings of the front. Returns false to wait; else `found_size_` says whether one is the frame.
     [[nodiscard]] constexpr bool judge() noexcept

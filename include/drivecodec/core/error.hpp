@@ -43,14 +43,19 @@ public:
     {}
 
     [[nodiscard]] constexpr errc code() const noexcept { return static_cast<errc>(packed_ & ((1U << code_bits) - 1U)); }
-    [[nodiscard]] constexpr std::uint16_t offset() const noexcept { return static_cast<std::uint16_t>(packed_ >> code_bits); }
-    [[nodiscard]] constexpr bool          ok() const noexcept { return packed_ == 0; }
+    [[nodiscard]] constexpr std::uint16_t offset() const noexcept
+    {
+        return static_cast<std::uint16_t>(packed_ >> code_bits);
+    }
+    [[nodiscard]] constexpr bool ok() const noexcept { return packed_ == 0; }
 
     /// The same error, seen from an outer layer in which these bytes begin at `base`. An exception is nowhere.
     [[nodiscard]] constexpr error moved_by(std::size_t base) const noexcept
     {
         auto moved = *this;
-        if (not ok() and code() != errc::exception_reply) { moved.packed_ += static_cast<std::uint32_t>(base) << code_bits; }
+        if (not ok() and code() != errc::exception_reply) {
+            moved.packed_ += static_cast<std::uint32_t>(base) << code_bits;
+        }
         return moved;
     }
 

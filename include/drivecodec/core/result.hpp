@@ -26,7 +26,7 @@ public:
     constexpr result(E failure) noexcept : error_{failure}, ok_{false} {}
 
     [[nodiscard]] constexpr bool has_value() const noexcept { return ok_; }
-    constexpr explicit           operator bool() const noexcept { return ok_; }
+    constexpr explicit operator bool() const noexcept { return ok_; }
 
     /// Precondition: has_value().
     [[nodiscard]] constexpr T const& operator*() const noexcept { return value_; }

@@ -20,7 +20,7 @@ template <typename Row, std::size_t N, typename Key>
 /// The row whose `key` is `wanted`, or nullptr. Binary search; the rows must be `strictly_ascending`.
 template <typename Row, std::size_t N, typename Key>
 [[nodiscard]] constexpr Row const* find_row(std::array<Row, N> const& rows, Key Row::*key,
-                                             std::type_identity_t<Key> wanted) noexcept
+                                            std::type_identity_t<Key> wanted) noexcept
 {
     std::size_t first = 0;
     std::size_t count = N;

@@ -15,7 +15,8 @@ void coil_count_must_be_between();
 void range_must_end_at_or_before_address_65535();
 }  // namespace compile_error
 
-/// What is addressed: how many bytes so many take on the wire and the other way round, and what the compiler says of a wrong count.
+/// What is addressed: how many bytes so many take on the wire and the other way round, and what the compiler says of a
+/// wrong count.
 struct registers {
     [[nodiscard]] static constexpr std::size_t wire_size(std::size_t count) noexcept { return 2 * count; }
     [[nodiscard]] static constexpr std::size_t max_count(std::size_t wire_bytes) noexcept { return wire_bytes / 2; }
@@ -66,7 +67,9 @@ public:
         : first_{static_cast<std::uint16_t>(first)}, count_{static_cast<std::uint16_t>(count)}
     {
         if (count < 1 or count > Max) { Addressed::template refuse_count<1, Max>(); }
-        if (first < 0 or first + count > last_address + 1) { compile_error::range_must_end_at_or_before_address_65535(); }
+        if (first < 0 or first + count > last_address + 1) {
+            compile_error::range_must_end_at_or_before_address_65535();
+        }
     }
 
     /// Errors: those of `check_range`.
@@ -94,7 +97,8 @@ public:
 
 private:
     struct checked {};
-    constexpr address_range(std::uint16_t first, std::uint16_t count, checked) noexcept : first_{first}, count_{count} {}
+    constexpr address_range(std::uint16_t first, std::uint16_t count, checked) noexcept : first_{first}, count_{count}
+    {}
 
     std::uint16_t first_;
     std::uint16_t count_;

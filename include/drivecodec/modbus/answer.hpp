@@ -32,7 +32,7 @@ public:
     {}
 
     [[nodiscard]] constexpr bool has_value() const noexcept { return error_ == exception_code{}; }
-    constexpr explicit           operator bool() const noexcept { return has_value(); }
+    constexpr explicit operator bool() const noexcept { return has_value(); }
 
     /// Precondition: has_value().
     [[nodiscard]] constexpr T const& operator*() const noexcept { return value_; }

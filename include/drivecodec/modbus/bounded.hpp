@@ -94,7 +94,8 @@ public:
 
 private:
     struct checked {};
-    constexpr address_block(std::uint16_t first, Values const& values, checked) noexcept : first_{first}, values_{values}
+    constexpr address_block(std::uint16_t first, Values const& values, checked) noexcept
+        : first_{first}, values_{values}
     {}
 
     constexpr address_block(std::uint16_t first, bytes wire, std::uint16_t count) noexcept

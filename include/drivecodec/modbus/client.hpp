@@ -26,8 +26,8 @@ using reply = result<typename Request::function::response, reply_error>;
 
 namespace detail {
 
-/// What is wrong with `pdu` for a client of `code`, where `fault` is what is wrong with it as a response of that function:
-/// of an exception that is its code, or what is wrong with the exception.
+/// What is wrong with `pdu` for a client of `code`, where `fault` is what is wrong with it as a response of that
+/// function: of an exception that is its code, or what is wrong with the exception.
 [[nodiscard]] constexpr error or_exception(error fault, bytes pdu, function_code code) noexcept
 {
     if (not exception_response::is_exception(pdu)) { return fault; }
@@ -42,7 +42,8 @@ namespace detail {
 template <message Request>
 [[nodiscard]] constexpr reply<Request> match_reply(Request const& asked, bytes pdu, std::size_t base) noexcept
 {
-    auto given = Request::function::response::read(pdu);  // not const: g++ 12 keeps const objects in memory, 28 bytes of code
+    auto given =
+        Request::function::response::read(pdu);  // not const: g++ 12 keeps const objects in memory, 28 bytes of code
     if (auto const fault = asked.matches(given); not fault.ok()) { return reply_error{fault.moved_by(base)}; }
     return given;
 }

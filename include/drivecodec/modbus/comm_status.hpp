@@ -11,7 +11,7 @@ struct comm_status {
     static constexpr std::uint16_t busy  = 0xFFFF;
     static constexpr std::uint16_t ready = 0x0000;
 
-    [[nodiscard]] static constexpr bool          is_valid(std::uint16_t wire) noexcept { return wire == busy or wire == ready; }
+    [[nodiscard]] static constexpr bool is_valid(std::uint16_t wire) noexcept { return wire == busy or wire == ready; }
     [[nodiscard]] static constexpr std::uint16_t to_wire(bool is_busy) noexcept { return is_busy ? busy : ready; }
 };
 

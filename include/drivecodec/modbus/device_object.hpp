@@ -35,6 +35,22 @@ enum class device_conformity : std::uint8_t {
     extended_and_specific = 0x83,
 };
 
+/// Does a device of this conformity also give single objects?
+[[nodiscard]] constexpr bool has_specific_objects(device_conformity conformity) noexcept
+{
+    return (static_cast<unsigned>(conformity) & 0x80U) != 0;
+}
+
+/// The last object that may be asked for with this code, as far as a device of this conformity goes.
+[[nodiscard]] constexpr device_object_id last_object_id(read_device_id_code code, device_conformity conformity) noexcept
+{
+    auto const asked  = static_cast<unsigned>(code);
+    auto const offers = static_cast<unsigned>(conformity) & 0x7FU;
+    auto const level  = asked < offers ? asked : offers;
+    if (code == read_device_id_code::specific or level >= 3) { return device_object_id{0xFF}; }
+    return level == 2 ? device_object_id{0x7F} : device_object_id::major_minor_revision;
+}
+
 namespace layout::device_object {  // | object id | length | value ...
 inline constexpr u8_at<0>    id{};
 inline constexpr u8_at<1>    length{};
@@ -46,7 +62,10 @@ struct device_object {
     device_object_id id;
     bytes            value;  ///< At most 255 bytes fit its length, and 244 a response.
 
-    [[nodiscard]] constexpr std::size_t wire_size() const noexcept { return layout::device_object::value + value.size(); }
+    [[nodiscard]] constexpr std::size_t wire_size() const noexcept
+    {
+        return layout::device_object::value + value.size();
+    }
 
     [[nodiscard]] static constexpr message_length length(bytes wire) noexcept
     {

@@ -35,9 +35,10 @@ enum class exception_code : std::uint8_t {
 /// Some drives refuse function 43 with three bytes, | ABh | MEI type | exception code | (Schneider ATV71 guide); that
 /// form is read too, and never written.
 struct exception_response {
-    static constexpr bool         is_pdu       = true;
-    static constexpr std::size_t  mei_size     = 3;
-    static constexpr std::uint8_t mei_function = to_byte(function_code::encapsulated_interface_transport) | exception_bit;
+    static constexpr bool         is_pdu   = true;
+    static constexpr std::size_t  mei_size = 3;
+    static constexpr std::uint8_t mei_function =
+        to_byte(function_code::encapsulated_interface_transport) | exception_bit;
 
     function_code  refused;  ///< The function that was asked for, without the exception bit.
     exception_code code;

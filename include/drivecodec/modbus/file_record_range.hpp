@@ -34,8 +34,7 @@ public:
     static constexpr std::uint16_t max_length  = 124;
 
     consteval file_record_range(int file, int record, int length)
-        : file_{static_cast<std::uint16_t>(file)},
-          record_{static_cast<std::uint16_t>(record)},
+        : file_{static_cast<std::uint16_t>(file)}, record_{static_cast<std::uint16_t>(record)},
           length_{static_cast<std::uint16_t>(length)}
     {
         if (file < 1 or file > 0xFFFF) { compile_error::file_number_must_be_between_1_and_65535(); }
@@ -75,7 +74,10 @@ public:
 
     //=== as a sub-request of function 20 ===//
     [[nodiscard]] static constexpr std::size_t    wire_size() noexcept { return layout::file_record_range::length.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
 
     [[nodiscard]] static constexpr error check(bytes wire) noexcept
     {
@@ -83,11 +85,14 @@ public:
         return fault.ok() ? check_fields(wire) : fault;
     }
 
-    /// The rules for the fields, which sub-requests of 20 and 21 have in common. Precondition: wire.size() >= wire_size().
+    /// The rules for the fields, which sub-requests of 20 and 21 have in common. Precondition: wire.size() >=
+    /// wire_size().
     [[nodiscard]] static constexpr error check_fields(bytes wire) noexcept
     {
         namespace at = layout::file_record_range;
-        if (at::reference_type.load(wire) != file_reference_type) { return {errc::bad_value, at::reference_type.begin}; }
+        if (at::reference_type.load(wire) != file_reference_type) {
+            return {errc::bad_value, at::reference_type.begin};
+        }
         return check(at::file.load(wire), at::record.load(wire), at::length.load(wire));
     }
 

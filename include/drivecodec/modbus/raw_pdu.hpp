@@ -39,7 +39,10 @@ public:
 
     constexpr void write(mutable_bytes out) const noexcept { copy_bytes(wire_, out); }
 
-    friend constexpr bool operator==(raw_pdu const& a, raw_pdu const& b) noexcept { return same_bytes(a.wire_, b.wire_); }
+    friend constexpr bool operator==(raw_pdu const& a, raw_pdu const& b) noexcept
+    {
+        return same_bytes(a.wire_, b.wire_);
+    }
 
 private:
     constexpr explicit raw_pdu(bytes pdu) noexcept : wire_{pdu} {}

@@ -36,7 +36,9 @@ public:
             auto const rest = wire.subspan(offset);
             auto const size = Record::length(rest);
             if (size.size() > rest.size()) { return {errc::bad_length, offset}; }
-            if (auto const fault = Record::check(rest.first(size.size())); not fault.ok()) { return fault.moved_by(offset); }
+            if (auto const fault = Record::check(rest.first(size.size())); not fault.ok()) {
+                return fault.moved_by(offset);
+            }
             offset += size.size();
         }
         return {};
@@ -82,7 +84,7 @@ public:
 
     friend constexpr bool operator==(record_list const& a, record_list const& b) noexcept
     {
-        auto left = a.begin();
+        auto left  = a.begin();
         auto right = b.begin();
         for (; not(left == a.end()) and not(right == b.end()); ++left, ++right) {
             if (not(*left == *right)) { return false; }
@@ -96,9 +98,7 @@ private:
         : records_{records.data()}, extent_{saturate_16(records.size())}, host_{true}
     {}
     struct wired {};
-    constexpr record_list(bytes wire, wired) noexcept
-        : wire_{wire.data()}, extent_{saturate_16(wire.size())}
-    {}
+    constexpr record_list(bytes wire, wired) noexcept : wire_{wire.data()}, extent_{saturate_16(wire.size())} {}
 
     union {
         std::uint8_t const* wire_ = nullptr;

@@ -38,7 +38,10 @@ inline constexpr outcome echo = 0x100;
 }
 
 /// Of an answer that is no response: the handler gave too much.
-[[nodiscard]] constexpr outcome refuse(error) noexcept { return refuse(exception_code::server_device_failure); }
+[[nodiscard]] constexpr outcome refuse(error) noexcept
+{
+    return refuse(exception_code::server_device_failure);
+}
 
 /// Writes the response if it fits; else it is exception 04.
 template <typename Response>
@@ -114,11 +117,11 @@ template <typename F, typename Handler>
 ///
 /// Every sub-function of 08 comes to the one overload; what that does not serve it answers with exception 01.
 ///
-/// Requests that break the protocol's rules never reach it: exception 02 for a range past the last address, 03 for a wrong
-/// quantity, byte count, value or length. An answer that does not fit in `out` or in a PDU, or that is not as long as asked
-/// for, is exception 04. Nothing is sent to what has the exception bit set and to Diagnostics' Force Listen Only Mode. An empty
-/// `out` means that there is nobody to answer, as to a broadcast: then only writes reach the handler.
-/// Staying silent after that, until Restart Communications, is the caller's: it keeps the state and does not send.
+/// Requests that break the protocol's rules never reach it: exception 02 for a range past the last address, 03 for a
+/// wrong quantity, byte count, value or length. An answer that does not fit in `out` or in a PDU, or that is not as
+/// long as asked for, is exception 04. Nothing is sent to what has the exception bit set and to Diagnostics' Force
+/// Listen Only Mode. An empty `out` means that there is nobody to answer, as to a broadcast: then only writes reach the
+/// handler. After Force Listen Only Mode the caller keeps that state, and sends nothing until Restart Communications.
 ///
 /// `Functions` are, unless named, the handler's `functions` if it has such a type, else the public ones. `pdu` and
 /// `out` must not overlap.

@@ -7,8 +7,8 @@
 #include <bit>
 #include <concepts>
 
-// Values of several registers. The specification knows 16-bit registers only; in which order a device lays the four bytes
-// of a 32-bit value into two of them is the device's choice, and its manual's to tell.
+// Values of several registers. The specification knows 16-bit registers only; in which order a device lays the four
+// bytes of a 32-bit value into two of them is the device's choice, and its manual's to tell.
 
 namespace drivecodec::modbus {
 

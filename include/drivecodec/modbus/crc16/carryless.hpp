@@ -53,7 +53,7 @@ struct arm_block {
     {
         return {vreinterpretq_u64_u8(vld1q_u8(from))};
     }
-    void store(std::uint8_t* to) const noexcept { vst1q_u8(to, vreinterpretq_u8_u64(bits)); }
+    void                           store(std::uint8_t* to) const noexcept { vst1q_u8(to, vreinterpretq_u8_u64(bits)); }
     [[nodiscard]] static arm_block make(std::uint64_t low, std::uint64_t high) noexcept
     {
         return {vcombine_u64(vcreate_u64(low), vcreate_u64(high))};

@@ -5,7 +5,8 @@
 
 namespace drivecodec::modbus {
 
-/// CANopen General Reference (43/13), MODBUS Application Protocol V1.1b3, 6.20. What it carries is CiA 309's: bytes here.
+/// CANopen General Reference (43/13), MODBUS Application Protocol V1.1b3, 6.20. What it carries is CiA 309's: bytes
+/// here.
 struct canopen_general_reference {
     static constexpr auto        code = function_code::encapsulated_interface_transport;
     static constexpr auto        mei  = mei_type::canopen_general_reference;

@@ -9,21 +9,21 @@ namespace drivecodec::modbus {
 /// Sub-functions of Diagnostics. Any other number is a value without a name.
 /// MODBUS Application Protocol V1.1b3, 6.8.1.
 enum class diagnostic : std::uint16_t {
-    return_query_data                        = 0,
-    restart_communications_option            = 1,
-    return_diagnostic_register               = 2,
-    change_ascii_input_delimiter             = 3,
-    force_listen_only_mode                   = 4,
-    clear_counters_and_diagnostic_register   = 10,
-    return_bus_message_count                 = 11,
-    return_bus_communication_error_count     = 12,
-    return_bus_exception_error_count         = 13,
-    return_server_message_count              = 14,
-    return_server_no_response_count          = 15,
-    return_server_nak_count                  = 16,
-    return_server_busy_count                 = 17,
-    return_bus_character_overrun_count       = 18,
-    clear_overrun_counter_and_flag           = 20,
+    return_query_data                      = 0,
+    restart_communications_option          = 1,
+    return_diagnostic_register             = 2,
+    change_ascii_input_delimiter           = 3,
+    force_listen_only_mode                 = 4,
+    clear_counters_and_diagnostic_register = 10,
+    return_bus_message_count               = 11,
+    return_bus_communication_error_count   = 12,
+    return_bus_exception_error_count       = 13,
+    return_server_message_count            = 14,
+    return_server_no_response_count        = 15,
+    return_server_nak_count                = 16,
+    return_server_busy_count               = 17,
+    return_bus_character_overrun_count     = 18,
+    clear_overrun_counter_and_flag         = 20,
 };
 
 namespace compile_error {

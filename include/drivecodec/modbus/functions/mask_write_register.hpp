@@ -29,8 +29,14 @@ struct mask_write_register::request {
     std::uint16_t or_mask;
 
     [[nodiscard]] static constexpr std::size_t wire_size() noexcept { return layout::mask_write_register::or_mask.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
-    [[nodiscard]] static constexpr error check(bytes pdu) noexcept { return check_fixed(pdu, function::code, wire_size()); }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
+    [[nodiscard]] static constexpr error check(bytes pdu) noexcept
+    {
+        return check_fixed(pdu, function::code, wire_size());
+    }
 
     [[nodiscard]] static constexpr request read(bytes pdu) noexcept
     {
@@ -55,7 +61,7 @@ struct mask_write_register::request {
 
     /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
     [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return wire_size(); }
-    [[nodiscard]] constexpr response reply() const noexcept;
+    [[nodiscard]] constexpr response           reply() const noexcept;
 
     [[nodiscard]] constexpr error matches(request const& given) const noexcept
     {
@@ -68,6 +74,9 @@ struct mask_write_register::request {
     friend constexpr bool operator==(request const&, request const&) noexcept = default;
 };
 
-constexpr auto mask_write_register::request::reply() const noexcept -> response { return {*this}; }
+constexpr auto mask_write_register::request::reply() const noexcept -> response
+{
+    return {*this};
+}
 
 }  // namespace drivecodec::modbus

@@ -43,7 +43,10 @@ struct read_device_identification {
     class request;
     class response;
 
-    [[nodiscard]] static constexpr bool is_valid(std::uint8_t id_code) noexcept { return id_code >= 1 and id_code <= 4; }
+    [[nodiscard]] static constexpr bool is_valid(std::uint8_t id_code) noexcept
+    {
+        return id_code >= 1 and id_code <= 4;
+    }
 
     /// What a device with these `objects` (ascending by id) answers, over as many responses as it takes.
     ///
@@ -51,77 +54,8 @@ struct read_device_identification {
     /// response says that more follow and from which object on to ask next. A device answers by its own conformity
     /// where more is asked. Exceptions: 02 for a specific object that there is not, 03 for a specific object of
     /// a device that only has streams, 04 for an object that fits no response.
-    [[nodiscard]] static constexpr result<response, exception_code> answer(request const& asked, device_conformity conformity,
-                                                                           std::span<device_object const> objects) noexcept;
-};
-
-class read_device_identification::request {
-public:
-    using function = read_device_identification;
-
-    /// Of a stream, `object_id` is 0 in the first request, then what the response before says.
-    consteval explicit request(read_device_id_code id_code, int object_id = 0)
-        : code_{id_code}, object_id_{static_cast<device_object_id>(object_id)}
-    {
-        if (not is_valid(static_cast<std::uint8_t>(id_code))) { compile_error::read_device_id_code_must_be_between_1_and_4(); }
-        if (object_id < 0 or object_id > 0xFF) { compile_error::device_object_id_must_be_between_0_and_255(); }
-    }
-    consteval request(read_device_id_code id_code, device_object_id object_id) : request{id_code, static_cast<int>(object_id)} {}
-
-    /// Errors: `bad_value` at the read device ID code.
-    [[nodiscard]] static constexpr result<request> make(read_device_id_code id_code, device_object_id object_id) noexcept
-    {
-        if (not is_valid(static_cast<std::uint8_t>(id_code))) {
-            return error{errc::bad_value, layout::read_device_identification_request::code.begin};
-        }
-        return request{id_code, object_id, checked{}};
-    }
-
-    [[nodiscard]] constexpr read_device_id_code id_code() const noexcept { return code_; }
-    [[nodiscard]] constexpr device_object_id    object_id() const noexcept { return object_id_; }
-
-    [[nodiscard]] static constexpr std::size_t wire_size() noexcept
-    {
-        return layout::read_device_identification_request::object_id.end;
-    }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
-
-    [[nodiscard]] static constexpr error check(bytes pdu) noexcept
-    {
-        namespace at = layout::read_device_identification_request;
-        if (auto const fault = check_mei_head(pdu, mei, wire_size(), wire_size()); not fault.ok()) { return fault; }
-        if (not is_valid(at::code.load(pdu))) { return {errc::bad_value, at::code.begin}; }
-        return check_size(pdu, wire_size());
-    }
-
-    [[nodiscard]] static constexpr request read(bytes pdu) noexcept
-    {
-        namespace at = layout::read_device_identification_request;
-        return {static_cast<read_device_id_code>(at::code.load(pdu)), static_cast<device_object_id>(at::object_id.load(pdu)),
-                checked{}};
-    }
-
-    constexpr void write(mutable_bytes out) const noexcept
-    {
-        namespace at = layout::read_device_identification_request;
-        write_mei_head(out, mei);
-        at::code.store(out, static_cast<std::uint8_t>(code_));
-        at::object_id.store(out, static_cast<std::uint8_t>(object_id_));
-    }
-
-    /// Does the response repeat the code and, for a specific object, hold just that?
-    [[nodiscard]] constexpr error matches(response const& given) const noexcept;
-
-    friend constexpr bool operator==(request const&, request const&) noexcept = default;
-
-private:
-    struct checked {};
-    constexpr request(read_device_id_code id_code, device_object_id object_id, checked) noexcept
-        : code_{id_code}, object_id_{object_id}
-    {}
-
-    read_device_id_code code_;
-    device_object_id    object_id_;
+    [[nodiscard]] static constexpr result<response, exception_code>
+    answer(request const& asked, device_conformity conformity, std::span<device_object const> objects) noexcept;
 };
 
 /// Some or all of the objects asked for. Made by `answer`.
@@ -129,10 +63,10 @@ class read_device_identification::response {
 public:
     using function = read_device_identification;
 
-    [[nodiscard]] constexpr read_device_id_code               id_code() const noexcept { return code_; }
-    [[nodiscard]] constexpr device_conformity                 conformity() const noexcept { return conformity_; }
-    [[nodiscard]] constexpr bool                              more_follows() const noexcept { return more_follows_; }
-    [[nodiscard]] constexpr device_object_id                  next_object_id() const noexcept { return next_object_id_; }
+    [[nodiscard]] constexpr read_device_id_code id_code() const noexcept { return code_; }
+    [[nodiscard]] constexpr device_conformity   conformity() const noexcept { return conformity_; }
+    [[nodiscard]] constexpr bool                more_follows() const noexcept { return more_follows_; }
+    [[nodiscard]] constexpr device_object_id    next_object_id() const noexcept { return next_object_id_; }
     [[nodiscard]] constexpr record_list<device_object> const& objects() const noexcept { return objects_; }
 
     [[nodiscard]] constexpr std::size_t wire_size() const noexcept
@@ -206,30 +140,101 @@ private:
     bool                       more_follows_ = false;
 };
 
-constexpr error read_device_identification::request::matches(response const& given) const noexcept
-{
-    namespace at = layout::read_device_identification_response;
-    if (given.id_code() != code_) { return expect_equal(false, at::code.begin); }
-    if (code_ != read_device_id_code::specific) { return {}; }
-    if (given.objects().size() != 1) { return expect_equal(false, at::object_count.begin); }
-    return expect_equal((*given.objects().begin()).id == object_id_, at::objects);
-}
+class read_device_identification::request {
+public:
+    using function = read_device_identification;
+
+    /// Of a stream, `object_id` is 0 in the first request, then what the response before says.
+    consteval explicit request(read_device_id_code id_code, int object_id = 0)
+        : code_{id_code}, object_id_{static_cast<device_object_id>(object_id)}
+    {
+        if (not is_valid(static_cast<std::uint8_t>(id_code))) {
+            compile_error::read_device_id_code_must_be_between_1_and_4();
+        }
+        if (object_id < 0 or object_id > 0xFF) { compile_error::device_object_id_must_be_between_0_and_255(); }
+    }
+    consteval request(read_device_id_code id_code, device_object_id object_id)
+        : request{id_code, static_cast<int>(object_id)}
+    {}
+
+    /// Errors: `bad_value` at the read device ID code.
+    [[nodiscard]] static constexpr result<request> make(read_device_id_code id_code,
+                                                        device_object_id    object_id) noexcept
+    {
+        if (not is_valid(static_cast<std::uint8_t>(id_code))) {
+            return error{errc::bad_value, layout::read_device_identification_request::code.begin};
+        }
+        return request{id_code, object_id, checked{}};
+    }
+
+    [[nodiscard]] constexpr read_device_id_code id_code() const noexcept { return code_; }
+    [[nodiscard]] constexpr device_object_id    object_id() const noexcept { return object_id_; }
+
+    [[nodiscard]] static constexpr std::size_t wire_size() noexcept
+    {
+        return layout::read_device_identification_request::object_id.end;
+    }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
+
+    [[nodiscard]] static constexpr error check(bytes pdu) noexcept
+    {
+        namespace at = layout::read_device_identification_request;
+        if (auto const fault = check_mei_head(pdu, mei, wire_size(), wire_size()); not fault.ok()) { return fault; }
+        if (not is_valid(at::code.load(pdu))) { return {errc::bad_value, at::code.begin}; }
+        return check_size(pdu, wire_size());
+    }
+
+    [[nodiscard]] static constexpr request read(bytes pdu) noexcept
+    {
+        namespace at = layout::read_device_identification_request;
+        return {static_cast<read_device_id_code>(at::code.load(pdu)),
+                static_cast<device_object_id>(at::object_id.load(pdu)), checked{}};
+    }
+
+    constexpr void write(mutable_bytes out) const noexcept
+    {
+        namespace at = layout::read_device_identification_request;
+        write_mei_head(out, mei);
+        at::code.store(out, static_cast<std::uint8_t>(code_));
+        at::object_id.store(out, static_cast<std::uint8_t>(object_id_));
+    }
+
+    /// Does the response repeat the code and, for a specific object, hold just that?
+    [[nodiscard]] constexpr error matches(response const& given) const noexcept
+    {
+        namespace at = layout::read_device_identification_response;
+        if (given.id_code() != code_) { return expect_equal(false, at::code.begin); }
+        if (code_ != read_device_id_code::specific) { return {}; }
+        if (given.objects().size() != 1) { return expect_equal(false, at::object_count.begin); }
+        return expect_equal((*given.objects().begin()).id == object_id_, at::objects);
+    }
+
+    friend constexpr bool operator==(request const&, request const&) noexcept = default;
+
+private:
+    struct checked {};
+    constexpr request(read_device_id_code id_code, device_object_id object_id, checked) noexcept
+        : code_{id_code}, object_id_{object_id}
+    {}
+
+    read_device_id_code code_;
+    device_object_id    object_id_;
+};
 
 constexpr auto read_device_identification::answer(request const& asked, device_conformity conformity,
                                                   std::span<device_object const> objects) noexcept
     -> result<response, exception_code>
 {
-    constexpr std::uint8_t specific_too = 0x80;  // set in the conformity of devices that also have single objects
-    auto const             level        = static_cast<std::uint8_t>(conformity);
-    auto const             is_specific  = asked.id_code() == read_device_id_code::specific;
-    if (is_specific and (level & specific_too) == 0) { return exception_code::illegal_data_value; }
+    auto const is_specific = asked.id_code() == read_device_id_code::specific;
+    if (is_specific and not has_specific_objects(conformity)) { return exception_code::illegal_data_value; }
 
     // The objects of the category come first, since they ascend by id.
-    auto const category = static_cast<std::uint8_t>(asked.id_code());
-    auto const least    = category < (level & ~specific_too) ? category : level & ~specific_too;
-    auto const last_id  = is_specific or least >= 3 ? 0xFF : least == 2 ? 0x7F : 0x02;
+    auto const  last_id = last_object_id(asked.id_code(), conformity);
     std::size_t end     = 0;
-    while (end < objects.size() and static_cast<int>(objects[end].id) <= last_id) { ++end; }
+    while (end < objects.size() and objects[end].id <= last_id) { ++end; }
 
     std::size_t first = 0;
     while (first < end and objects[first].id != asked.object_id()) { ++first; }

@@ -21,7 +21,10 @@ struct read_exception_status {
 
         std::uint8_t outputs;  ///< Exception status output 1 in the lowest bit.
 
-        [[nodiscard]] static constexpr response make(std::uint8_t outputs_to_send) noexcept { return {outputs_to_send}; }
+        [[nodiscard]] static constexpr response make(std::uint8_t outputs_to_send) noexcept
+        {
+            return {outputs_to_send};
+        }
 
         [[nodiscard]] static constexpr std::size_t wire_size() noexcept
         {

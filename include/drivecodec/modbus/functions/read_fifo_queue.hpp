@@ -39,8 +39,14 @@ struct read_fifo_queue::request {
 
     std::uint16_t address;  ///< The FIFO pointer address.
 
-    [[nodiscard]] static constexpr std::size_t wire_size() noexcept { return layout::read_fifo_queue_request::address.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
+    [[nodiscard]] static constexpr std::size_t wire_size() noexcept
+    {
+        return layout::read_fifo_queue_request::address.end;
+    }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
     [[nodiscard]] static constexpr error check(bytes pdu) noexcept { return check_fixed(pdu, code, wire_size()); }
 
     [[nodiscard]] static constexpr request read(bytes pdu) noexcept

@@ -22,9 +22,10 @@ struct read_file_record {
 };
 
 /// The values of each range asked for, in the same order.
-class read_file_record::response
-    : public records_message<read_file_record, record_list<file_values>, min_response_byte_count, max_response_byte_count> {
-    using base = records_message<read_file_record, record_list<file_values>, min_response_byte_count, max_response_byte_count>;
+class read_file_record::response : public records_message<read_file_record, record_list<file_values>,
+                                                          min_response_byte_count, max_response_byte_count> {
+    using base =
+        records_message<read_file_record, record_list<file_values>, min_response_byte_count, max_response_byte_count>;
 
 public:
     /// Errors: `bad_quantity` at the byte count: no values, or more than fit in a PDU.
@@ -38,7 +39,8 @@ public:
     [[nodiscard]] static constexpr error check(bytes pdu) noexcept
     {
         namespace at = layout::records_message;
-        if (pdu.size() >= at::records and layout::function.load(pdu) == to_byte(code) and at::byte_count.load(pdu) % 2 != 0) {
+        if (pdu.size() >= at::records and layout::function.load(pdu) == to_byte(code)
+            and at::byte_count.load(pdu) % 2 != 0) {
             return {errc::bad_length, at::byte_count.begin};
         }
         return base::check(pdu);
@@ -61,7 +63,9 @@ public:
     {
         auto const made = base::make(ranges);
         if (not made) { return made.error(); }
-        if (not check_total(*made).ok()) { return error{errc::bad_quantity, layout::records_message::byte_count.begin}; }
+        if (not check_total(*made).ok()) {
+            return error{errc::bad_quantity, layout::records_message::byte_count.begin};
+        }
         return request{*made};
     }
 
@@ -80,7 +84,9 @@ public:
         std::size_t offset = layout::records_message::records;
         auto        values = given.records().begin();
         for (auto const range : records()) {
-            if (values == given.records().end()) { return expect_equal(false, layout::records_message::byte_count.begin); }
+            if (values == given.records().end()) {
+                return expect_equal(false, layout::records_message::byte_count.begin);
+            }
             auto const record = *values;
             if (record.values.size() != range.count()) { return expect_equal(false, offset); }
             offset += record.wire_size();

@@ -59,7 +59,9 @@ struct basic_read_write_multiple_registers<MaxRead, MaxWrite>::basic_request {
                                                               Values values) noexcept
     {
         auto const made = block_to_write::make(first, values);
-        if (not made) { return made.error().moved_by(layout::read_write_multiple_registers_request::write_first.begin); }
+        if (not made) {
+            return made.error().moved_by(layout::read_write_multiple_registers_request::write_first.begin);
+        }
         return basic_request{.read_range = range, .write_block = *made};
     }
 

@@ -5,7 +5,8 @@
 
 namespace drivecodec::modbus {
 
-namespace layout::report_server_id_response {  // | function | byte count | server ID ... | run indicator | additional ...
+namespace layout::
+    report_server_id_response {  // | function | byte count | server ID ... | run indicator | additional ...
 inline constexpr u8_at<1>    byte_count{};
 inline constexpr std::size_t data = byte_count.end;
 }  // namespace layout::report_server_id_response
@@ -38,7 +39,8 @@ class report_server_id::response {
 public:
     using function = report_server_id;
 
-    /// `data` is server ID, run indicator, additional data: at least one byte. Errors: `bad_quantity` at the byte count.
+    /// `data` is server ID, run indicator, additional data: at least one byte. Errors: `bad_quantity` at the byte
+    /// count.
     [[nodiscard]] static constexpr result<response> make(bytes data_to_send) noexcept
     {
         if (data_to_send.empty() or data_to_send.size() > max_data_size) {
@@ -54,7 +56,9 @@ public:
     /// Errors: `bad_length` at the byte count if there are too few bytes for that ID and the run indicator.
     [[nodiscard]] constexpr result<identity> split(std::size_t id_size) const noexcept
     {
-        if (data_.size() <= id_size) { return error{errc::bad_length, layout::report_server_id_response::byte_count.begin}; }
+        if (data_.size() <= id_size) {
+            return error{errc::bad_length, layout::report_server_id_response::byte_count.begin};
+        }
         return identity{.server_id       = data_.first(id_size),
                         .run_indicator   = data_.data()[id_size],
                         .additional_data = data_.subspan(id_size + 1)};

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] static constexpr basic_request read(bytes pdu) noexcept { return basic_request{base::read(pdu)}; }
 
     /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
-    [[nodiscard]] constexpr std::size_t echo_size() const noexcept { return this->wire_size(); }
+    [[nodiscard]] constexpr std::size_t            echo_size() const noexcept { return this->wire_size(); }
     [[nodiscard]] constexpr echo_of<basic_request> reply() const noexcept { return {*this}; }
 
     /// Does the response repeat every record?

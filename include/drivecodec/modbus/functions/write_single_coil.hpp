@@ -31,12 +31,17 @@ struct write_single_coil::request {
     bool          value;
 
     [[nodiscard]] static constexpr std::size_t    wire_size() noexcept { return layout::write_single_coil::value.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
 
     [[nodiscard]] static constexpr error check(bytes pdu) noexcept
     {
         namespace at = layout::write_single_coil;
-        if (auto const fault = check_head(pdu, function::code, wire_size(), wire_size()); not fault.ok()) { return fault; }
+        if (auto const fault = check_head(pdu, function::code, wire_size(), wire_size()); not fault.ok()) {
+            return fault;
+        }
         auto const wanted = at::value.load(pdu);
         if (wanted != on and wanted != off) { return {errc::bad_value, at::value.begin}; }
         return check_size(pdu, wire_size());
@@ -58,7 +63,7 @@ struct write_single_coil::request {
 
     /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
     [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return wire_size(); }
-    [[nodiscard]] constexpr response reply() const noexcept;
+    [[nodiscard]] constexpr response           reply() const noexcept;
 
     [[nodiscard]] constexpr error matches(request const& given) const noexcept
     {
@@ -70,6 +75,9 @@ struct write_single_coil::request {
     friend constexpr bool operator==(request const&, request const&) noexcept = default;
 };
 
-constexpr auto write_single_coil::request::reply() const noexcept -> response { return {*this}; }
+constexpr auto write_single_coil::request::reply() const noexcept -> response
+{
+    return {*this};
+}
 
 }  // namespace drivecodec::modbus

@@ -27,8 +27,14 @@ struct write_single_register::request {
     std::uint16_t value;
 
     [[nodiscard]] static constexpr std::size_t wire_size() noexcept { return layout::write_single_register::value.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
-    [[nodiscard]] static constexpr error check(bytes pdu) noexcept { return check_fixed(pdu, function::code, wire_size()); }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
+    [[nodiscard]] static constexpr error check(bytes pdu) noexcept
+    {
+        return check_fixed(pdu, function::code, wire_size());
+    }
 
     [[nodiscard]] static constexpr request read(bytes pdu) noexcept
     {
@@ -46,7 +52,7 @@ struct write_single_register::request {
 
     /// What a server says when it has done this: the first `echo_size()` bytes of the request, which are all.
     [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return wire_size(); }
-    [[nodiscard]] constexpr response reply() const noexcept;
+    [[nodiscard]] constexpr response           reply() const noexcept;
 
     [[nodiscard]] constexpr error matches(request const& given) const noexcept
     {
@@ -58,6 +64,9 @@ struct write_single_register::request {
     friend constexpr bool operator==(request const&, request const&) noexcept = default;
 };
 
-constexpr auto write_single_register::request::reply() const noexcept -> response { return {*this}; }
+constexpr auto write_single_register::request::reply() const noexcept -> response
+{
+    return {*this};
+}
 
 }  // namespace drivecodec::modbus

@@ -11,8 +11,14 @@ struct bare_request {
     using function = Function;
 
     [[nodiscard]] static constexpr std::size_t    wire_size() noexcept { return layout::function.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
-    [[nodiscard]] static constexpr error check(bytes pdu) noexcept { return check_fixed(pdu, Function::code, wire_size()); }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
+    [[nodiscard]] static constexpr error check(bytes pdu) noexcept
+    {
+        return check_fixed(pdu, Function::code, wire_size());
+    }
     [[nodiscard]] static constexpr bare_request read(bytes) noexcept { return {}; }
 
     constexpr void write(mutable_bytes out) const noexcept { layout::function.store(out, to_byte(Function::code)); }

@@ -63,7 +63,8 @@ struct block_request {
     [[nodiscard]] static constexpr block_request read(bytes pdu) noexcept
     {
         namespace at = layout::block_request;
-        return {.block = address_block<Values, Max>::of_wire(at::first.load(pdu), pdu.subspan(at::values), at::count.load(pdu))};
+        return {.block = address_block<Values, Max>::of_wire(at::first.load(pdu), pdu.subspan(at::values),
+                                                             at::count.load(pdu))};
     }
 
     constexpr void write(mutable_bytes out) const noexcept
@@ -78,7 +79,7 @@ struct block_request {
 
     /// What a server says when it has done this: the first `echo_size()` bytes of the request.
     [[nodiscard]] static constexpr std::size_t echo_size() noexcept { return response::wire_size(); }
-    [[nodiscard]] constexpr response reply() const noexcept { return {.range = block.range()}; }
+    [[nodiscard]] constexpr response           reply() const noexcept { return {.range = block.range()}; }
 
     [[nodiscard]] constexpr error matches(response const& given) const noexcept
     {

@@ -20,12 +20,17 @@ struct range_message {
     Range range;
 
     [[nodiscard]] static constexpr std::size_t    wire_size() noexcept { return layout::range_message::count.end; }
-    [[nodiscard]] static constexpr message_length length(bytes) noexcept { return message_length::exactly(wire_size()); }
+    [[nodiscard]] static constexpr message_length length(bytes) noexcept
+    {
+        return message_length::exactly(wire_size());
+    }
 
     [[nodiscard]] static constexpr error check(bytes pdu) noexcept
     {
         namespace at = layout::range_message;
-        if (auto const fault = check_head(pdu, Function::code, wire_size(), wire_size()); not fault.ok()) { return fault; }
+        if (auto const fault = check_head(pdu, Function::code, wire_size(), wire_size()); not fault.ok()) {
+            return fault;
+        }
         auto const fault = check_range_at(pdu, at::first.begin, Range::max_count);
         return fault.ok() ? check_size(pdu, wire_size()) : fault;
     }

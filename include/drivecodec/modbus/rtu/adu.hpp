@@ -63,8 +63,8 @@ template <crc16::algorithm Crc>
 
 /// A message to or from a server, as a frame: a request, a response, an exception, or a `raw_pdu`.
 ///
-/// `check` tells apart what a longer frame would mend (`truncated`), what the line has damaged (`bad_checksum`), and what
-/// the other side has sent wrongly (the errors of the message).
+/// `check` tells apart what a longer frame would mend (`truncated`), what the line has damaged (`bad_checksum`), and
+/// what the other side has sent wrongly (the errors of the message).
 template <framable Message, crc16::algorithm Crc = crc16::by_default>
 struct adu {
     server_address address;

@@ -21,14 +21,16 @@ namespace detail {
 template <crc16::algorithm Crc>
 [[nodiscard]] constexpr error check_reply_adu(bytes adu, std::uint8_t address, function_code code, error fault) noexcept
 {
-    constexpr auto shortest = layout::adu::around + exception_response::wire_size();  // no reply is shorter than an exception
+    constexpr auto shortest =
+        layout::adu::around + exception_response::wire_size();  // no reply is shorter than an exception
     if (adu.size() < shortest) { return {errc::truncated, shortest}; }
     return check_adu<Crc>(adu, address, modbus::detail::or_exception(fault, pdu_of(adu), code));
 }
 
 }  // namespace detail
 
-/// The response in the frame `adu`, if it is the reply of the server `address` to `asked`; a stale or foreign reply is not.
+/// The response in the frame `adu`, if it is the reply of the server `address` to `asked`; a stale or foreign reply is
+/// not.
 ///
 /// Errors, with offsets in `adu`: `no_reply` to a broadcast; `truncated`, `bad_checksum`, `unexpected_server`; those of
 /// `check_reply`. Views inside the response point into `adu`.

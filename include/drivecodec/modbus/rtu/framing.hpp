@@ -10,7 +10,7 @@ namespace drivecodec::modbus::rtu {
 struct frame {
     bytes             raw;        ///< From the server address to the CRC.
     modbus::direction direction;  ///< What it was read as.
-    bool              aligned;    ///< It began after a silence or directly behind a valid frame, not amid dropped bytes.
+    bool              aligned;  ///< It began after a silence or directly behind a valid frame, not amid dropped bytes.
 
     [[nodiscard]] constexpr std::uint8_t  address() const noexcept { return layout::adu::address.load(raw); }
     [[nodiscard]] constexpr bytes         pdu() const noexcept { return pdu_of(raw); }
@@ -30,9 +30,9 @@ enum class expecting : std::uint8_t {
 
 /// How RTU frames are told apart in a stream; the `framing` of `rtu::reader`.
 ///
-/// The readings of the bytes at the front, in order: a response first if the last frame was a request of that address and
-/// function, else a request first. What is addressed to `own_address` is a request only. A refusal of function 43 has
-/// two lengths: with and without the MEI type.
+/// The readings of the bytes at the front, in order: a response first if the last frame was a request of that address
+/// and function, else a request first. What is addressed to `own_address` is a request only. A refusal of function 43
+/// has two lengths: with and without the MEI type.
 template <typename Functions = public_functions, crc16::algorithm Crc = crc16::by_default>
 class framing {
 public:
@@ -84,7 +84,7 @@ private:
         if (is_second and reads_one_way(front)) { return message_length::impossible(); }
         auto const pdu    = front.subspan(layout::adu::pdu);
         auto const length = direction_of(front, is_second) == direction::request ? Functions::request_length(pdu)
-                                                                                  : Functions::response_length(pdu);
+                                                                                 : Functions::response_length(pdu);
         return length.plus(length.is_open() ? layout::adu::pdu : layout::adu::around);
     }
 
@@ -113,9 +113,9 @@ private:
     {
         if (is_own(front) or expecting_ == expecting::request) { return direction::request; }
         if (expecting_ == expecting::response) { return direction::response; }
-        auto const function  = front[layout::adu::pdu] & ~exception_bit;
-        auto const is_answer = asked_ and layout::adu::address.load(front) == asked_address_
-                               and function == to_byte(asked_function_);
+        auto const function = front[layout::adu::pdu] & ~exception_bit;
+        auto const is_answer =
+            asked_ and layout::adu::address.load(front) == asked_address_ and function == to_byte(asked_function_);
         return is_answer ? direction::response : direction::request;
     }
 

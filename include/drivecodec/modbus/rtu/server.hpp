@@ -11,8 +11,8 @@ namespace drivecodec::modbus::rtu {
 /// Answers the frame `adu` as the server `own`: the frame to send, at the front of `reply`; empty if there is none.
 ///
 /// Silent for frames of other servers, damaged ones and broadcasts, of which only writes reach the handler. For the
-/// handler, and for what is answered with which exception, see `serve_pdu`. `adu` must not overlap `reply`; of its bytes
-/// 256 are always enough.
+/// handler, and for what is answered with which exception, see `serve_pdu`. `adu` must not overlap `reply`; of its
+/// bytes 256 are always enough.
 template <typename Functions = void, crc16::algorithm Crc = crc16::by_default, typename Handler>
 [[nodiscard]] constexpr bytes serve(server_address own, bytes adu, mutable_bytes reply, Handler&& handler) noexcept
 {
@@ -31,10 +31,11 @@ template <typename Functions = void, crc16::algorithm Crc = crc16::by_default, t
     return reply;
 }
 
-/// The same for a frame from a `reader`. A server acts on aligned requests only: what was found amid dropped bytes may be
-/// part of another frame's payload.
+/// The same for a frame from a `reader`. A server acts on aligned requests only: what was found amid dropped bytes may
+/// be part of another frame's payload.
 template <typename Functions = void, crc16::algorithm Crc = crc16::by_default, typename Handler>
-[[nodiscard]] constexpr bytes serve(server_address own, frame const& received, mutable_bytes reply, Handler&& handler) noexcept
+[[nodiscard]] constexpr bytes serve(server_address own, frame const& received, mutable_bytes reply,
+                                    Handler&& handler) noexcept
 {
     if (not received.aligned or received.direction != direction::request) { return {}; }
     return serve<Functions, Crc>(own, received.raw, reply, handler);

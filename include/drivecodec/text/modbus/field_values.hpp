@@ -52,7 +52,13 @@ struct ascii_text {
     return {};
 }
 
-[[nodiscard]] constexpr std::string_view to_string(bits_8) noexcept { return {}; }
-[[nodiscard]] constexpr std::string_view to_string(bits_16) noexcept { return {}; }
+[[nodiscard]] constexpr std::string_view to_string(bits_8) noexcept
+{
+    return {};
+}
+[[nodiscard]] constexpr std::string_view to_string(bits_16) noexcept
+{
+    return {};
+}
 
 }  // namespace drivecodec::modbus

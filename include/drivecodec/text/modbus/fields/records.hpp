@@ -5,8 +5,8 @@
 #include <drivecodec/modbus/functions/read_file_record.hpp>
 #include <drivecodec/modbus/functions/write_file_record.hpp>
 #include <drivecodec/text/modbus/device_identification.hpp>
-#include <drivecodec/text/modbus/fields/values.hpp>
 #include <drivecodec/text/modbus/field_values.hpp>
+#include <drivecodec/text/modbus/fields/values.hpp>
 
 // The fields of messages that carry records, and of the records: 20, 21, 43/14.
 

@@ -14,8 +14,14 @@ namespace drivecodec::modbus {
 
 namespace detail {
 
-[[nodiscard]] constexpr register_view const& view_of(register_view const& values) noexcept { return values; }
-[[nodiscard]] constexpr coil_view const&     view_of(coil_view const& values) noexcept { return values; }
+[[nodiscard]] constexpr register_view const& view_of(register_view const& values) noexcept
+{
+    return values;
+}
+[[nodiscard]] constexpr coil_view const& view_of(coil_view const& values) noexcept
+{
+    return values;
+}
 template <std::size_t N>
 [[nodiscard]] constexpr register_view view_of(register_array<N> const& values) noexcept
 {
