@@ -13,24 +13,20 @@ void read_device_id_code_must_be_between_1_and_4();
 void device_object_id_must_be_between_0_and_255();
 }  // namespace compile_error
 
-namespace layout {
-
-namespace read_device_identification_request {  // | function | MEI type | read device ID code | object id |
+namespace layout::read_device_identification_request {  // | function | MEI type | read device ID code | object id |
 inline constexpr u8_at<2> code{};
 inline constexpr u8_at<3> object_id{};
-}  // namespace read_device_identification_request
+}  // namespace layout::read_device_identification_request
 
 // | function | MEI type | read device ID code | conformity | more follows | next object id | object count | objects ...
-namespace read_device_identification_response {
+namespace layout::read_device_identification_response {
 inline constexpr u8_at<2>    code{};
 inline constexpr u8_at<3>    conformity{};
 inline constexpr u8_at<4>    more_follows{};
 inline constexpr u8_at<5>    next_object_id{};
 inline constexpr u8_at<6>    object_count{};
 inline constexpr std::size_t objects = object_count.end;
-}  // namespace read_device_identification_response
-
-}  // namespace layout
+}  // namespace layout::read_device_identification_response
 
 /// Read Device Identification (43/14), MODBUS Application Protocol V1.1b3, 6.21.
 struct read_device_identification {
