@@ -46,6 +46,11 @@ TEST(modbus_answer, may_be_of_something_without_a_default)
     VERIFY(identification{exception_code::illegal_data_value}.error() == exception_code::illegal_data_value);
 }
 
+TEST(modbus_answer, of_exception_0_is_a_failure)
+{
+    VERIFY(answer<done>{exception_code{}}.error() == exception_code::server_device_failure);
+}
+
 TEST(modbus_answer, keeps_every_exception_code)
 {
     for (unsigned code = 1; code <= 0xFF; ++code) {

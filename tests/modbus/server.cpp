@@ -370,6 +370,24 @@ TEST(server, clears_the_bits_behind_the_last_coil_asked_for)
     fails<read_coils::request>("01 00 00 00 11"_hex, coil_view::of_wire(bytes{two_bytes_of_ones}));
 }
 
+TEST(server, clears_them_in_whatever_the_handler_gives)
+{
+    static constexpr std::array<bool, 16> set = [] {
+        std::array<bool, 16> states{};
+        for (auto& state : states) { state = true; }
+        return states;
+    }();
+    auto const expected = list_of("01 02 FF 03"_hex);
+    auto const ask      = [](auto const& given) {
+        return serve("01 00 00 00 0A"_hex, [&](read_coils::request const&) { return given; });
+    };
+    EXPECT_EQ(ask(set), expected);
+    EXPECT_EQ(ask(std::span<bool const>{set}), expected);
+    EXPECT_EQ(ask(coil_view{set}), expected);
+    EXPECT_EQ(ask(coil_array<16>{set}), expected);
+    EXPECT_EQ(ask(*read_coils::response::make(set)), expected);
+}
+
 TEST(server, fails_if_the_handler_gives_another_response)
 {
     std::array<std::uint16_t, 3> const three{};

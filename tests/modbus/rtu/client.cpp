@@ -148,6 +148,24 @@ TEST(rtu_client, refuses_every_truncation_of_every_reply)
     });
 }
 
+/// A client that reads as many bytes as `truncated` says must not wait behind the end of an exception.
+TEST(rtu_client, waits_for_no_more_than_an_exception_has)
+{
+    exchanges::for_each([](auto given) {
+        using function   = typename decltype(given)::function;
+        auto const asked = *drivecodec::decode<typename function::request>(given.request);
+        auto const code  = static_cast<std::uint8_t>(drivecodec::modbus::to_byte(function::code) | 0x80U);
+        auto const whole = rtu_model::adu_of(17, byte_list{code, 0x02});
+        for (std::size_t size = 0; size < whole.size(); ++size) {
+            auto const reply = rtu::check(17, asked, bytes{whole}.first(size));
+            ASSERT_FALSE(reply) << function::name;
+            EXPECT_EQ(reply.error(), (drivecodec::error{errc::truncated, whole.size()})) << function::name << size;
+        }
+        EXPECT_EQ(rtu::check(17, asked, bytes{whole}).error().code(), errc::exception_reply) << function::name;
+        EXPECT_EQ(drivecodec::modbus::check_reply(asked, bytes{}).error(), (drivecodec::error{errc::truncated, 2}));
+    });
+}
+
 TEST(rtu_client, refuses_a_reply_of_more_than_256_bytes)
 {
     static constexpr modbus::report_server_id::request asked{};

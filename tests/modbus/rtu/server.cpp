@@ -118,6 +118,18 @@ TEST(rtu_server, carries_out_the_writes_of_a_broadcast_and_says_nothing)
     EXPECT_TRUE(serve(adu_of(0, "42"_hex), served).empty());              // no such function
 }
 
+TEST(rtu_server, needs_no_room_for_a_broadcast)
+{
+    for (std::size_t room = 0; room <= 4; ++room) {
+        device     served;
+        byte_list  buffer(room, 0xEE);
+        auto const reply = rtu::serve(17, bytes{adu_of(0, "06 00 01 12 34"_hex)}, buffer, served);
+        EXPECT_TRUE(reply.empty());
+        EXPECT_EQ(served.words[1], 0x1234);
+        EXPECT_EQ(buffer, byte_list(room, 0xEE));
+    }
+}
+
 TEST(rtu_server, is_silent_after_force_listen_only_mode)
 {
     device served;
