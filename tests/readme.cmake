@@ -1,0 +1,32 @@
+# The code of the README compiles but for its last statement, and that one is refused with the README's words.
+#   cmake -DREADME=... -DWORK=... -P readme.cmake -- compiler and flags
+cmake_minimum_required(VERSION 3.25)
+
+set(compile "")
+set(is_command FALSE)
+foreach(i RANGE ${CMAKE_ARGC})
+    if(is_command)
+        list(APPEND compile "${CMAKE_ARGV${i}}")
+    elseif("${CMAKE_ARGV${i}}" STREQUAL "--")
+        set(is_command TRUE)
+    endif()
+endforeach()
+
+file(READ ${README} readme)
+if(NOT readme MATCHES "```cpp\n(.*)(constexpr auto no = [^\n]*\n)// error: ([^\n]*)")
+    message(FATAL_ERROR "the README has no code, or nothing that is refused")
+endif()
+set(accepted "${CMAKE_MATCH_1}")
+set(refused  "${CMAKE_MATCH_2}")
+if(NOT CMAKE_MATCH_3 MATCHES "([a-z_]+must[a-z_]+)")
+    message(FATAL_ERROR "the README does not say why: ${CMAKE_MATCH_3}")
+endif()
+set(why ${CMAKE_MATCH_1})
+
+file(WRITE ${WORK}/readme.cpp "${accepted}")
+execute_process(COMMAND ${compile} ${WORK}/readme.cpp COMMAND_ERROR_IS_FATAL ANY)
+file(WRITE ${WORK}/readme_refused.cpp "${accepted}${refused}")
+execute_process(COMMAND ${compile} ${WORK}/readme_refused.cpp RESULT_VARIABLE status ERROR_VARIABLE text)
+if(status EQUAL 0 OR NOT text MATCHES "${why}")
+    message(FATAL_ERROR "the last statement was not refused as the README says:\n${text}")
+endif()
