@@ -378,8 +378,9 @@ TEST(server, clears_them_in_whatever_the_handler_gives)
         return states;
     }();
     auto const expected = list_of("01 02 FF 03"_hex);
-    auto const ask      = [](auto const& given) {
-        return serve("01 00 00 00 0A"_hex, [&](read_coils::request const&) { return given; });
+    static constexpr auto asked = "01 00 00 00 0A"_hex;
+    auto const            ask   = [](auto const& given) {
+        return serve(asked, [&](read_coils::request const&) { return given; });
     };
     EXPECT_EQ(ask(set), expected);
     EXPECT_EQ(ask(std::span<bool const>{set}), expected);
