@@ -71,9 +71,11 @@ constexpr struct {
 } value_types[] = {{"uint16", value_type::uint16}, {"int16", value_type::int16}, {"uint32", value_type::uint32},
                    {"int32", value_type::int32}, {"float", value_type::float32}};
 
+constexpr rtu::server_address default_server{1};
+
 struct options {
     std::string                  device;
-    rtu::server_address          address = 1;
+    rtu::server_address          address = default_server;
     std::uint32_t                baud    = 19200;
     rtu::character_format        format  = rtu::format_8e1;
     support::client::settings    line;
