@@ -23,7 +23,7 @@ constexpr bool reads(auto const& thing, std::string_view expected)
 
 TEST(text_errc, has_a_name_for_every_error)
 {
-    EXPECT_EQ(names_of_all_values<errc>().size(), static_cast<std::size_t>(errc::no_space) + 1);
+    EXPECT_EQ(names_of_all_values<errc>().size(), static_cast<std::size_t>(errc::unreachable) + 1);
     VERIFY(to_string(errc::none) == "none");
     VERIFY(to_string(errc::bad_quantity) == "bad_quantity");
     VERIFY(to_string(errc::no_space) == "no_space");

@@ -39,11 +39,43 @@ inline constexpr std::array<command_coding, command_count> command_codings{{
 }};
 // clang-format on
 
+/// The bits that commands use; the others are the caller's.
+inline constexpr std::uint16_t command_bits = [] {
+    unsigned bits = 0;
+    for (auto const coding : command_codings) { bits |= coding.mask; }
+    return static_cast<std::uint16_t>(bits);
+}();
+
 /// `word` with the command's bits; all others are kept.
 [[nodiscard]] constexpr control_word apply(command given, control_word word) noexcept
 {
     auto const coding = command_codings[static_cast<std::size_t>(given)];
     return control_word::from_raw(static_cast<std::uint16_t>((word.raw & ~coding.mask) | coding.value));
 }
+
+/// What `word` tells a drive in the state `present`; every word is some command. 0007h has two names: in Operation
+/// enabled it disables operation, elsewhere it switches on. The reset, an edge and no level, is not looked at.
+[[nodiscard]] constexpr command decode_command(control_word word, state present) noexcept
+{
+    constexpr auto by_level = static_cast<std::uint16_t>(~control_word::of(control_word::fault_reset).raw);
+
+    auto found = command::shutdown;
+    while (((word.raw ^ command_codings[static_cast<std::size_t>(found)].value)
+            & command_codings[static_cast<std::size_t>(found)].mask & by_level)
+           != 0) {
+        found = static_cast<command>(static_cast<unsigned>(found) + 1);
+    }
+    return found == command::switch_on and present == state::operation_enabled ? command::disable_operation : found;
+}
+
+static_assert(
+    [] {
+        for (unsigned low_byte = 0; low_byte <= 0xFF; ++low_byte) {
+            static_cast<void>(decode_command(control_word::from_raw(static_cast<std::uint16_t>(low_byte)),
+                                             state::switch_on_disabled));  // not a constant if it ran past the table
+        }
+        return true;
+    }(),
+    "every word is some command");
 
 }  // namespace drivecodec::cia402

@@ -54,16 +54,41 @@ static_assert(
     }(),
     "no statusword may be two states");
 
+namespace detail {
+
+/// The bits that tell states apart, side by side: 6, 5 and 3 to 0.
+[[nodiscard]] constexpr unsigned state_index(unsigned low_byte) noexcept
+{
+    return (low_byte >> 1 & 0x30U) | (low_byte & 0x0FU);
+}
+
+inline constexpr unsigned no_state = state_count;
+
+/// The state of each index, four bits each; eight in a word. The patterns, turned into what decodes fast and small.
+inline constexpr auto states_by_index = [] {
+    std::array<std::uint32_t, 8> packed{};
+    for (unsigned low_byte = 0; low_byte < 0x80; ++low_byte) {
+        auto found = no_state;
+        for (auto const& row : state_codings) {
+            if (row.low_byte.matches(static_cast<std::uint8_t>(low_byte))) { found = static_cast<unsigned>(row.state); }
+        }
+        auto const index = state_index(low_byte);
+        packed[index / 8] |= found << index % 8 * 4;
+    }
+    return packed;
+}();
+
+}  // namespace detail
+
 /// The state that a statusword reports.
 ///
 /// Errors: `bad_value` at 0 for a word that is none, as 104 of the 128 combinations of the low seven bits are.
 [[nodiscard]] constexpr result<state> decode_state(status_word status) noexcept
 {
-    auto const low_byte = static_cast<std::uint8_t>(status.raw);
-    for (auto const& row : state_codings) {
-        if (row.low_byte.matches(low_byte)) { return row.state; }
-    }
-    return error{errc::bad_value, 0};
+    auto const index = detail::state_index(status.raw);
+    auto const found = detail::states_by_index[index / 8] >> index % 8 * 4 & 0xFU;
+    if (found == detail::no_state) { return error{errc::bad_value, 0}; }
+    return static_cast<state>(found);
 }
 
 }  // namespace drivecodec::cia402

@@ -24,6 +24,10 @@ enum class errc : std::uint8_t {
     exception_reply,       ///< The server answered with an exception: `offset` is its code.
     no_reply,              ///< To this request there is no reply: a broadcast, or a command to be silent.
     no_space,              ///< The output buffer is too small; nothing was written. `offset` is the size needed.
+    read_only,             ///< A register or parameter that cannot be written.
+    inexact,               ///< A value that its register or parameter has no digits for.
+    out_of_range,          ///< A value outside the limits of its register or parameter, or of its type.
+    unreachable,           ///< A state that no command leads to from here.
 };
 
 /// What went wrong, and at which byte of those the user gave.

@@ -28,6 +28,10 @@ namespace drivecodec {
     case errc::exception_reply: return "exception_reply";
     case errc::no_reply: return "no_reply";
     case errc::no_space: return "no_space";
+    case errc::read_only: return "read_only";
+    case errc::inexact: return "inexact";
+    case errc::out_of_range: return "out_of_range";
+    case errc::unreachable: return "unreachable";
     }
     return {};
 }
@@ -52,6 +56,10 @@ namespace drivecodec {
     case errc::exception_reply: return "the server answered with an exception";
     case errc::no_reply: return "to this request there is no reply";
     case errc::no_space: return "the output buffer is too small";
+    case errc::read_only: return "the register or parameter cannot be written";
+    case errc::inexact: return "the register or parameter has no digits for this value";
+    case errc::out_of_range: return "the value is outside the limits of its register, parameter or type";
+    case errc::unreachable: return "no command leads to this state from here";
     }
     return {};
 }

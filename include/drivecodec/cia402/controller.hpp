@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/cia402/next.hpp>
+
+namespace drivecodec::cia402 {
+
+/// What a controller says of its drive.
+enum class progress : std::uint8_t {
+    reached,      ///< The drive is in the goal; `word()` keeps it there.
+    waiting,      ///< On the way.
+    faulted,      ///< The drive is in Fault, and stays there until `reset_fault`.
+    refused,      ///< The drive did not follow within the given number of statuswords.
+    unreachable,  ///< No command leads to the goal from here: Quick stop active not from Operation enabled.
+};
+
+/// The client's side: takes a drive to a state and keeps it there, over whatever bus.
+///
+/// It is fed every statusword and says which controlword to send next; it neither sends nor waits. To leave the goal
+/// again, or to stay down after the drive has left it by itself, one sets another one.
+class controller {
+public:
+    struct settings {
+        cia402::way way{};
+        /// How many statuswords in a row may show no new state before the drive is said to have refused.
+        std::uint16_t patience = 10;
+    };
+
+    /// The goal is Switch on disabled.
+    constexpr controller() noexcept = default;
+    constexpr explicit controller(settings chosen) noexcept : settings_{chosen} {}
+
+    constexpr void set_goal(state goal) noexcept
+    {
+        goal_ = goal;
+        start_again();
+    }
+    [[nodiscard]] constexpr state goal() const noexcept { return goal_; }
+
+    /// The bits that no command uses, for every word from now on: halt, those of the mode, those of the manufacturer.
+    constexpr void set_other_bits(control_word others) noexcept
+    {
+        word_.raw = static_cast<std::uint16_t>((word_.raw & command_bits) | (others.raw & ~command_bits));
+    }
+
+    /// Leave to reset one fault: the present one, or that whose reaction goes on. What follows then is the way to the
+    /// goal; whoever wants to look first sets Switch on disabled as the goal before.
+    constexpr void reset_fault() noexcept
+    {
+        reset_ = reset::granted;
+        start_again();
+    }
+
+    /// The drive has said this. What it means to the goal; `word()` is what to send next.
+    constexpr progress update(status_word heard) noexcept
+    {
+        word_ = word_.without(control_word::fault_reset);
+
+        auto const decoded = decode_state(heard);
+        if (not decoded) { return wait(); }
+        auto const present = *decoded;
+        if ((seen_ & bit(present)) == 0) {
+            seen_   = static_cast<std::uint8_t>(seen_ | bit(present));
+            waited_ = 0;
+        }
+        if (present == state::fault) { return in_fault(); }
+        if (present != state::fault_reaction_active) { reset_ = reset::none; }
+
+        auto const now = next(present, goal_, settings_.way);
+        if (now == step::unreachable) { return progress::unreachable; }
+        if (now == step::reached) {
+            give(holding_command(goal_));
+            start_again();
+            return progress::reached;
+        }
+        if (now.is_command()) { give(now.command()); }
+        return wait();
+    }
+
+    /// The controlword to send. Before the first statusword it commands nothing: Disable voltage.
+    [[nodiscard]] constexpr control_word word() const noexcept { return word_; }
+
+private:
+    /// The reset is an edge: one word with the bit low, one with it high, and then low again.
+    enum class reset : std::uint8_t { none, granted, lowered, raised };
+
+    constexpr progress in_fault() noexcept
+    {
+        give(command::disable_voltage);  // nothing to be switched on by the reset; lowers its bit
+        switch (reset_) {
+        case reset::none: return progress::faulted;
+        case reset::granted: reset_ = reset::lowered; break;
+        case reset::lowered:
+            give(command::fault_reset);
+            reset_ = reset::raised;
+            break;
+        case reset::raised:
+            if (wait() == progress::waiting) { break; }
+            reset_ = reset::none;
+            return progress::faulted;
+        }
+        return progress::waiting;
+    }
+
+    constexpr progress wait() noexcept
+    {
+        if (waited_ > settings_.patience) { return progress::refused; }
+        ++waited_;
+        return progress::waiting;
+    }
+
+    constexpr void give(command given) noexcept { word_ = apply(given, word_); }
+
+    constexpr void start_again() noexcept
+    {
+        seen_   = 0;
+        waited_ = 0;
+    }
+
+    [[nodiscard]] static constexpr unsigned bit(state which) noexcept { return 1U << static_cast<unsigned>(which); }
+
+    settings      settings_{};
+    control_word  word_{};
+    std::uint16_t waited_ = 0;  // statuswords since the last state that was new
+    std::uint8_t  seen_   = 0;  // the states since the goal was set or reached; each new one is a sign of life
+    state         goal_   = state::switch_on_disabled;
+    reset         reset_  = reset::none;
+};
+
+}  // namespace drivecodec::cia402
