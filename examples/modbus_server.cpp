@@ -8,7 +8,7 @@
 // The first line it prints is the path of the device. It ends with Ctrl-C, and then prints its counters.
 #include "support/arguments.hpp"
 #include "support/data_model.hpp"
-#include "support/serial_port.hpp"
+#include "support/line_server.hpp"
 #include "support/server_counters.hpp"
 
 #include <drivecodec/modbus.hpp>
@@ -16,12 +16,7 @@
 #include <drivecodec/version.hpp>
 
 #include <array>
-#include <cerrno>
-#include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -237,75 +232,17 @@ private:
 
 //=== the line ===//
 
-std::sig_atomic_t volatile stop = 0;  // set by a signal. NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
-
-struct options {
-    std::string                  device;  // empty: a pseudo-terminal
-    std::string                  link;
-    std::string                  log;
-    rtu::server_address          address = 1;
-    std::uint32_t                baud    = 19200;
-    rtu::character_format        format  = rtu::format_8e1;
-    std::optional<std::uint32_t> silence;  // microseconds
-    support::data_model::sizes   sizes;
-    bool                         verbose = false;
-};
-
-/// Answers what comes in on the line, until a signal stops it.
-class server {
+/// The device, as the server `own` on a line: counts what it hears, and listens only when told to.
+class line_device {
 public:
-    server(support::serial_port port, rtu::server_address own, std::uint32_t silence, device served)
-        : port_{std::move(port)}, own_{own}, silence_{silence}, reader_{rtu::expecting::either, own},
-          device_{std::move(served)}
-    {}
+    line_device(rtu::server_address own, device served) : own_{own}, device_{std::move(served)} {}
 
-    std::ofstream log;  // a line of hex digits for every frame
-    bool          verbose = false;
-
-    /// False: the device is gone.
-    bool run()
+    [[nodiscard]] drivecodec::bytes answer(rtu::frame const& found, drivecodec::mutable_bytes room)
     {
-        constexpr std::uint32_t look_for_signals = 100'000;
-        while (stop == 0) {
-            auto const count = port_.read(reader_.prepare(), is_silent_ ? look_for_signals : silence_);
-            if (not count) { return false; }
-            if (*count > 0) {
-                is_silent_ = false;
-                reader_.commit(*count);
-            } else if (not is_silent_) {
-                is_silent_ = true;
-                reader_.silence();
-            }
-            while (auto const item = reader_.next()) {
-                if (auto const* found = item.frame()) { receive(*found); }
-                if (auto const* noise = item.dropped()) { drop(*noise); }
-            }
-            // A reply waits for the silence that ends the request. Whoever sends meanwhile does not wait for it.
-            if (is_silent_ and not reply_.empty() and not send()) { return false; }
-        }
-        return true;
-    }
-
-    void print_counters() const
-    {
-        auto const& line = reader_.counters();
-        auto const& own  = device_.counters;
-        std::cout << "on the line: " << line.frames << " frames, " << line.dropped_bytes << " bytes dropped in "
-                  << line.dropped_runs << " runs (" << line.bad_checksums << " bad checksums, " << line.truncated
-                  << " cut short)\n"
-                  << "this server: " << own.server_messages << " requests, " << own.events << " carried out, "
-                  << own.exceptions_sent << " exceptions, " << own.without_response << " without a response\n";
-    }
-
-private:
-    void receive(rtu::frame const& found)
-    {
-        show("<- ", found);
-        reply_ = {};
         ++device_.counters.bus_messages;
         auto const is_broadcast = found.address() == 0;
         auto const is_for_us    = found.address() == own_.byte() or is_broadcast;
-        if (not is_for_us or not found.aligned or found.direction != modbus::direction::request) { return; }
+        if (not is_for_us or not found.aligned or found.direction != modbus::direction::request) { return {}; }
 
         ++device_.counters.server_messages;
         auto const was_listening_only = device_.listens_only;
@@ -313,18 +250,31 @@ private:
                                   : support::event_log::received);
         if (was_listening_only and not is_restart(found)) {
             ++device_.counters.without_response;
-            return;
+            return {};
         }
         device_.refresh();
-        reply_ = rtu::serve(own_, found, reply_buffer_, device_);
-        if (was_listening_only) { reply_ = {}; }
-        count_reply(found);
+        auto const served = rtu::serve(own_, found, room, device_);
+        auto const reply  = was_listening_only ? drivecodec::bytes{} : served;
+        count_reply(found, reply);
+        return reply;
     }
 
-    void count_reply(rtu::frame const& asked)
+    void hear(drivecodec::dropped_bytes const& noise)
     {
-        auto const answered = rtu::frame{.raw = reply_, .direction = modbus::direction::response, .aligned = true};
-        if (reply_.empty()) {
+        if (noise.reason != drivecodec::errc::bad_checksum) { return; }
+        ++device_.counters.bus_errors;
+        log_received(support::event_log::received.with(modbus::comm_event::communication_error));
+    }
+
+    void go_on() {}
+
+    [[nodiscard]] support::server_counters const& counters() const noexcept { return device_.counters; }
+
+private:
+    void count_reply(rtu::frame const& asked, drivecodec::bytes reply)
+    {
+        auto const answered = rtu::frame{.raw = reply, .direction = modbus::direction::response, .aligned = true};
+        if (reply.empty()) {
             ++device_.counters.without_response;
         } else if (answered.is_exception()) {
             ++device_.counters.exceptions_sent;
@@ -334,23 +284,6 @@ private:
             device_.log.add(support::event_log::sent);
         }
         if (asked.function() != modbus::function_code::get_comm_event_counter) { ++device_.counters.events; }
-    }
-
-    void drop(drivecodec::dropped_bytes const& noise)
-    {
-        write_log(noise.raw);
-        if (verbose) {
-            std::cout << "   " << noise.raw.size() << " bytes dropped: " << to_string(noise.reason) << std::endl;
-        }
-        if (noise.reason != drivecodec::errc::bad_checksum) { return; }
-        ++device_.counters.bus_errors;
-        log_received(support::event_log::received.with(modbus::comm_event::communication_error));
-    }
-
-    [[nodiscard]] bool send()
-    {
-        show("-> ", {.raw = reply_, .direction = modbus::direction::response, .aligned = true});
-        return port_.write_all(std::exchange(reply_, {}));
     }
 
     /// The one request that ends the listen-only mode.
@@ -365,68 +298,46 @@ private:
         device_.log.add(device_.listens_only ? event.with(modbus::comm_event::in_listen_only_mode) : event);
     }
 
-    void show(char const* way, rtu::frame const& found)
-    {
-        write_log(found.raw);
-        if (not verbose) { return; }
-        std::array<char, 400> text{};
-        std::cout << way << rtu::describe(found, text) << std::endl;
-    }
-
-    void write_log(drivecodec::bytes raw)
-    {
-        if (not log.is_open()) { return; }
-        std::array<char, 3 * rtu::max_adu_size> digits{};
-        log << drivecodec::text_writer{digits}.hex(raw).view() << std::endl;
-    }
-
-    support::serial_port                        port_;
-    rtu::server_address                         own_;
-    std::uint32_t                               silence_;
-    bool                                        is_silent_ = true;
-    rtu::reader                                 reader_;
-    device                                      device_;
-    std::array<std::uint8_t, rtu::max_adu_size> reply_buffer_{};
-    drivecodec::bytes                           reply_{};  // waits to be sent
+    rtu::server_address own_;
+    device              device_;
 };
+
+void print(support::line_server const& server, support::server_counters const& own)
+{
+    auto const& line = server.counters();
+    std::cout << "on the line: " << line.frames << " frames, " << line.dropped_bytes << " bytes dropped in "
+              << line.dropped_runs << " runs (" << line.bad_checksums << " bad checksums, " << line.truncated
+              << " cut short)\n"
+              << "this server: " << own.server_messages << " requests, " << own.events << " carried out, "
+              << own.exceptions_sent << " exceptions, " << own.without_response << " without a response\n";
+}
 
 //=== the command line ===//
 
 constexpr auto usage = R"(usage: modbus_server [options]
-  --device PATH     a serial device; without it, a pseudo-terminal is opened and its path printed
-  --link PATH       a symbolic link to the device
   --address N       the server's address, 1 to 247 (1)
-  --baud N          (19200)
-  --format 8E1      data bits, parity, stop bits (8E1)
-  --silence N       microseconds that end a frame (3.5 characters); more for adapters that deliver bytes in lumps
   --holding N --input N --coils N --discrete N
                     how many registers, coils and discrete inputs (1000)
-  --files N         how many files (4)
-  --log FILE        writes every frame as a line of hex digits
-  --verbose         prints every frame in words
-)";
+  --files N         how many files (4))";
+
+constexpr rtu::server_address default_address{1};
+
+struct options {
+    support::line_options      line;
+    rtu::server_address        address = default_address;
+    support::data_model::sizes sizes;
+};
 
 options parse(support::arguments words)
 {
     options given;
     while (not words.empty()) {
-        auto const word  = words.next("an option");
+        auto const word = words.next("an option");
+        if (given.line.take(word, words)) { continue; }
         auto const value = [&] { return words.next("the value of " + word); };
         auto const count = [&] { return support::to<std::size_t>(value(), 0, 65536); };
-        if (word == "--device") {
-            given.device = value();
-        } else if (word == "--link") {
-            given.link = value();
-        } else if (word == "--log") {
-            given.log = value();
-        } else if (word == "--address") {
+        if (word == "--address") {
             given.address = *rtu::server_address::make(support::to<std::uint8_t>(value(), 1, 247));
-        } else if (word == "--baud") {
-            given.baud = support::to<std::uint32_t>(value(), 1);
-        } else if (word == "--format") {
-            given.format = support::to_format(value());
-        } else if (word == "--silence") {
-            given.silence = support::to<std::uint32_t>(value(), 1);
         } else if (word == "--holding") {
             given.sizes.holding_registers = count();
         } else if (word == "--input") {
@@ -437,8 +348,6 @@ options parse(support::arguments words)
             given.sizes.discrete_inputs = count();
         } else if (word == "--files") {
             given.sizes.files = count();
-        } else if (word == "--verbose") {
-            given.verbose = true;
         } else {
             throw support::usage_error{"unknown option '" + word + "'"};
         }
@@ -446,46 +355,17 @@ options parse(support::arguments words)
     return given;
 }
 
-/// A symbolic link that is gone when the program is.
-class symbolic_link {
-public:
-    symbolic_link(std::filesystem::path from, std::filesystem::path const& to) : from_{std::move(from)}
-    {
-        if (from_.empty()) { return; }
-        if (std::filesystem::is_symlink(from_)) { std::filesystem::remove(from_); }
-        std::filesystem::create_symlink(to, from_);
-    }
-    symbolic_link(symbolic_link const&)            = delete;
-    symbolic_link(symbolic_link&&)                 = delete;
-    symbolic_link& operator=(symbolic_link const&) = delete;
-    symbolic_link& operator=(symbolic_link&&)      = delete;
-    ~symbolic_link()
-    {
-        std::error_code ignored;
-        if (not from_.empty()) { std::filesystem::remove(from_, ignored); }
-    }
-
-private:
-    std::filesystem::path from_;
-};
-
 int run(options const& given)
 {
-    auto port = given.device.empty() ? support::serial_port::pseudo_terminal()
-                                     : support::serial_port::open(given.device, given.baud, given.format);
-    if (not port) { throw std::system_error{errno, std::generic_category(), given.device}; }
-    auto const path    = port->name();
-    auto const silence = given.silence.value_or(rtu::timing::make(given.baud, given.format)->inter_frame());
-    server     server{std::move(*port), given.address, silence, device{support::data_model{given.sizes}}};
-    server.verbose = given.verbose;
-    if (not given.log.empty()) { server.log.open(given.log); }
-
-    symbolic_link const link{given.link, path};
-    std::cout << path << std::endl;
-    auto const ended_well = server.run();
-    auto const reason     = errno;
-    server.print_counters();
-    if (not ended_well) { throw std::system_error{reason, std::generic_category(), path}; }
+    line_device          served{given.address, device{support::data_model{given.sizes}}};
+    support::line_server server{given.line, given.address};
+    try {
+        server.run(served);
+    } catch (std::system_error const&) {
+        print(server, served.counters());
+        throw;
+    }
+    print(server, served.counters());
     return 0;
 }
 
@@ -493,14 +373,11 @@ int run(options const& given)
 
 int main(int argc, char** argv)
 {
-    struct sigaction action{};
-    action.sa_handler = [](int) { stop = 1; };  // without SA_RESTART: a signal ends the wait for bytes
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
+    support::stop_signal::listen();
     try {
         return run(parse({argc, argv}));
     } catch (support::usage_error const& fault) {
-        std::cerr << "modbus_server: " << fault.what() << '\n' << usage;
+        std::cerr << "modbus_server: " << fault.what() << '\n' << usage << support::line_options::usage << '\n';
     } catch (std::exception const& fault) {
         std::cerr << "modbus_server: " << fault.what() << '\n';
     }
