@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/drives/register_row.hpp>
+#include <drivecodec/modbus/functions/read_registers.hpp>
+#include <drivecodec/modbus/functions/write_single_register.hpp>
+
+#include <concepts>
+
+namespace drivecodec::drives {
+
+namespace compile_error {
+// Declared, never defined, not constexpr: calling one is how a consteval function says no. Its name is the text.
+void this_register_is_read_only();
+void the_value_has_more_digits_than_the_register_can_hold();
+template <int Min, int Max, int Exponent>
+void the_value_must_be_between_min_and_max_times_ten_to_the_exponent();
+}  // namespace compile_error
+
+/// One register of a drive, by name: reads and writes it as what it is.
+///
+/// `Table` is the drive's, of `register_row`; `Read` is its function 03, with its limit. `Value` is a quantity or
+/// an integer for numbers, else the register's own word or enumeration, or std::uint16_t for bits without a meaning. An object has no
+/// data: what the table says becomes part of the code that uses it, and the table itself does not.
+template <auto const& Table, std::uint16_t Address, typename Read, typename Value, int Exponent>
+struct basic_holding_register {
+    static constexpr register_row row = [] {
+        auto found     = *find(Table, Address);  // no constant if there is no such register
+        found.exponent = Exponent;
+        return found;
+    }();
+
+    using value_type = Value;
+    using request    = modbus::write_single_register::request;
+
+    [[nodiscard]] static constexpr std::uint16_t address() noexcept { return Address; }
+
+    /// The same with another scale, where the manual's is in doubt.
+    template <int Other>
+    static constexpr basic_holding_register<Table, Address, Read, Value, Other> with_exponent{};
+
+    //=== between values and the 16 bits ===//
+
+    /// What these 16 bits mean. Every word means something: unknown codes and bits survive.
+    [[nodiscard]] static constexpr Value value(std::uint16_t raw) noexcept
+    {
+        if constexpr (is_number) {
+            return {row.number(raw), Exponent};
+        } else if constexpr (std::integral<Value>) {
+            return static_cast<Value>(row.number(raw));
+        } else if constexpr (std::is_enum_v<Value>) {
+            return static_cast<Value>(raw);
+        } else {
+            return Value::from_raw(raw);
+        }
+    }
+
+    /// The 16 bits of a value. Errors, at 0: `inexact`, `out_of_range`.
+    [[nodiscard]] static constexpr result<std::uint16_t> raw(Value wanted) noexcept
+    {
+        auto const number = number_of(wanted);
+        if (not number) { return number.error(); }
+        if (auto const fault = row.check(*number); not fault.ok()) { return fault; }
+        return static_cast<std::uint16_t>(*number);
+    }
+
+    //=== requests ===//
+
+    [[nodiscard]] static consteval typename Read::request read() { return {.range = {Address, 1}}; }
+
+    /// A constant value: refused by the compiler if the register cannot take it.
+    [[nodiscard]] static consteval request write(Value wanted)
+    {
+        if (not row.is_writable()) { compile_error::this_register_is_read_only(); }
+        auto const bits = raw(wanted);
+        if (not bits and bits.error().code() == errc::inexact) {
+            compile_error::the_value_has_more_digits_than_the_register_can_hold();
+        }
+        if (not bits) {
+            compile_error::the_value_must_be_between_min_and_max_times_ten_to_the_exponent<row.limits.min,
+                                                                                           row.limits.max, Exponent>();
+        }
+        return {.address = Address, .value = *bits};
+    }
+
+    /// A value known only at run time. Errors, at 0: `read_only`; those of `raw`.
+    [[nodiscard]] static constexpr result<request> make_write(Value wanted) noexcept
+    {
+        if (not row.is_writable()) { return error{errc::read_only, 0}; }
+        auto const bits = raw(wanted);
+        if (not bits) { return bits.error(); }
+        return request{.address = Address, .value = *bits};
+    }
+
+private:
+    static constexpr bool is_number = requires(Value wanted) { wanted.scaled_to(0); };
+
+    [[nodiscard]] static constexpr result<std::int32_t> number_of(Value wanted) noexcept
+    {
+        if constexpr (is_number) {
+            return wanted.scaled_to(Exponent);
+        } else if constexpr (requires { wanted.raw; }) {
+            return std::int32_t{wanted.raw};
+        } else {
+            return static_cast<std::int32_t>(wanted);
+        }
+    }
+};
+
+/// What a register is that holds a number: a quantity, or an integer if it counts nothing.
+template <auto const& Table, std::uint16_t Address>
+using number_in = std::conditional_t<find(Table, Address)->unit == unit::none and find(Table, Address)->exponent == 0,
+                                     std::int32_t, quantity<find(Table, Address)->unit>>;
+
+/// With the scale of the table.
+template <auto const& Table, std::uint16_t Address, typename Read, typename Value = number_in<Table, Address>>
+using holding_register = basic_holding_register<Table, Address, Read, Value, find(Table, Address)->exponent>;
+
+}  // namespace drivecodec::drives

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/core/quantity.hpp>
+#include <drivecodec/core/table.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace drivecodec::drives {
+
+enum class access : std::uint8_t {
+    read_only,
+    read_write,
+    read_write_at_standstill,  ///< Refused while the motor has power.
+};
+
+/// How the 16 bits of a register are to be read.
+enum class raw_type : std::uint8_t { unsigned_number, signed_number, bits, enumeration, register_address };
+
+/// Where a fact is from.
+enum class source : std::uint8_t {
+    manual,        ///< The drive's own manual says it.
+    sister_drive,  ///< Only the manual of a drive of the same make says it: unverified.
+    nobody,        ///< It is not stated; what stands there is what the type allows, or 0.
+};
+
+/// The least and the greatest raw number.
+struct raw_limits {
+    std::int32_t min;
+    std::int32_t max;
+    source       from;
+};
+inline constexpr raw_limits no_limits_unsigned{0, 0xFFFF, source::nobody};
+inline constexpr raw_limits no_limits_signed{-0x8000, 0x7FFF, source::nobody};
+
+/// The raw number a drive leaves the factory with.
+struct raw_default {
+    std::int32_t number;
+    source       from;
+};
+inline constexpr raw_default no_default{0, source::nobody};
+
+/// A register as the manual prints it. A physical value is the raw number x 10^exponent of its unit.
+struct register_row {
+    std::uint16_t    address;
+    std::string_view name;
+    std::string_view menu;  ///< On the drive's display: "315", "512.2". Empty if it is in no menu.
+    std::string_view code;  ///< The drive's own short name: "CMD". Empty if it has none.
+    raw_type         type;
+    std::int8_t      exponent;
+    drivecodec::unit unit;
+    source           scale_from;  ///< Of type, exponent and unit.
+    raw_limits       limits;
+    raw_default      factory_setting;
+    drives::access   access;
+    source           access_from;
+
+    /// Of an enumeration: its codes, within the limits. Empty for all else.
+    std::span<std::uint16_t const> choices{};
+
+    [[nodiscard]] constexpr bool is_writable() const noexcept { return access != drives::access::read_only; }
+
+    /// The 16 bits as the number they stand for.
+    [[nodiscard]] constexpr std::int32_t number(std::uint16_t raw) const noexcept
+    {
+        return type == raw_type::signed_number ? static_cast<std::int16_t>(raw) : std::int32_t{raw};
+    }
+
+    /// Is the number one that the register can have? Errors: `out_of_range` at 0.
+    [[nodiscard]] constexpr error check(std::int32_t wanted) const noexcept
+    {
+        auto is_choice = choices.empty();
+        for (auto const choice : choices) { is_choice = is_choice or choice == wanted; }
+        return wanted < limits.min or wanted > limits.max or not is_choice ? error{errc::out_of_range, 0} : error{};
+    }
+
+    /// May these 16 bits be written? Errors, at 0: `read_only`, `out_of_range`.
+    [[nodiscard]] constexpr error check_write(std::uint16_t raw) const noexcept
+    {
+        return is_writable() ? check(number(raw)) : error{errc::read_only, 0};
+    }
+};
+
+template <std::size_t N>
+using register_table = std::array<register_row, N>;
+
+/// The register with this address, or nullptr.
+template <std::size_t N>
+[[nodiscard]] constexpr register_row const* find(register_table<N> const& table, std::uint16_t address) noexcept
+{
+    return find_row(table, &register_row::address, address);
+}
+
+/// The register with this code, menu number or name, or nullptr.
+template <std::size_t N>
+[[nodiscard]] constexpr register_row const* find(register_table<N> const& table, std::string_view word) noexcept
+{
+    if (word.empty()) { return nullptr; }
+    for (auto const& row : table) {
+        if (row.code == word or row.menu == word or row.name == word) { return &row; }
+    }
+    return nullptr;
+}
+
+/// Are these registers all there? Errors: `bad_address`; the offset is that of the first that is not, counted in
+/// registers.
+template <std::size_t N>
+[[nodiscard]] constexpr error check_range(register_table<N> const& table, std::uint16_t first,
+                                          std::size_t count) noexcept
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        if (first + i > 0xFFFF or find(table, static_cast<std::uint16_t>(first + i)) == nullptr) {
+            return {errc::bad_address, i};
+        }
+    }
+    return {};
+}
+
+/// May these values be written there? Errors: `bad_address`, `read_only`, `out_of_range`; the offset is that of the first
+/// register that refuses, counted in registers.
+template <std::size_t N, typename Values>
+[[nodiscard]] constexpr error check_write(register_table<N> const& table, std::uint16_t first,
+                                          Values const& values) noexcept
+{
+    if (auto const fault = check_range(table, first, values.size()); not fault.ok()) { return fault; }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        auto const fault = find(table, static_cast<std::uint16_t>(first + i))->check_write(values[i]);
+        if (not fault.ok()) { return fault.moved_by(i); }
+    }
+    return {};
+}
+
+}  // namespace drivecodec::drives
