@@ -109,7 +109,11 @@ private:
         return progress::waiting;
     }
 
-    constexpr void give(command given) noexcept { word_ = apply(given, word_); }
+    /// With 0 in the bits that do not matter to the command: the words that manuals print.
+    constexpr void give(command given) noexcept
+    {
+        word_ = apply(given, control_word::from_raw(static_cast<std::uint16_t>(word_.raw & ~command_bits)));
+    }
 
     constexpr void start_again() noexcept
     {
