@@ -3,5 +3,7 @@
 
 // Everything but texts, which are in <drivecodec/text/...>.
 
+#include <drivecodec/cia402.hpp>
 #include <drivecodec/modbus.hpp>
 #include <drivecodec/version.hpp>
+#include <drivecodec/xd1000.hpp>

@@ -10,7 +10,7 @@ namespace drivecodec::drives {
 template <typename Register, auto... Registers>
 inline constexpr std::size_t index_of = [] {
     std::size_t index = 0;
-    static_cast<void>(((Registers.address() == Register::address() or (++index, false)) or ...));
+    static_cast<void>(((Registers.address() == Register::address() or ++index == 0) or ...));  // never 0: goes on
     return index;
 }();
 
