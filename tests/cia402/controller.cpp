@@ -145,11 +145,22 @@ TEST(controller, says_unreachable_and_leaves_the_drive_alone)
 {
     controller control;
     control.set_goal(state::quick_stop_active);
-    EXPECT_UPDATE(control, switched_on, unreachable, 0x0000);
+    EXPECT_UPDATE(control, switched_on, unreachable, 0x0007);
     EXPECT_UPDATE(control, operation_enabled, waiting, 0x0002);
     EXPECT_UPDATE(control, quick_stop_active, reached, 0x0002);
     control.set_goal(state::fault);
     EXPECT_UPDATE(control, quick_stop_active, unreachable, 0x0002);
+}
+
+TEST(controller, does_not_go_on_with_an_earlier_command_where_the_goal_is_unreachable)
+{
+    controller control;
+    control.set_goal(state::operation_enabled);
+    EXPECT_UPDATE(control, switched_on, waiting, 0x000F);
+    control.set_goal(state::quick_stop_active);
+    EXPECT_UPDATE(control, switched_on, unreachable, 0x0007);
+    EXPECT_UPDATE(control, ready, unreachable, 0x0006);
+    EXPECT_UPDATE(control, switch_on_disabled, unreachable, 0x0000);
 }
 
 /// A drive and its controller over a line that loses words both ways and repeats some, with events at any time.

@@ -11,7 +11,7 @@ enum class progress : std::uint8_t {
     waiting,      ///< On the way.
     faulted,      ///< The drive is in Fault, and stays there until `reset_fault`.
     refused,      ///< The drive did not follow within the given number of statuswords.
-    unreachable,  ///< No command leads to the goal from here: Quick stop active not from Operation enabled.
+    unreachable,  ///< No command leads to the goal from here; `word()` keeps the drive where it is.
 };
 
 /// The client's side: takes a drive to a state and keeps it there, over whatever bus.
@@ -67,7 +67,10 @@ public:
         if (present != state::fault_reaction_active) { reset_ = reset::none; }
 
         auto const now = next(present, goal_, settings_.way);
-        if (now == step::unreachable) { return progress::unreachable; }
+        if (now == step::unreachable) {
+            if (is_goal(present)) { give(holding_command(present)); }  // else an earlier command would go on
+            return progress::unreachable;
+        }
         if (now == step::reached) {
             give(holding_command(goal_));
             start_again();
