@@ -37,6 +37,15 @@ TEST(error, that_is_none_stays_none_when_moved)
     VERIFY(error{}.moved_by(7) == error{});
 }
 
+TEST(error, holds_every_code)
+{
+    for (unsigned value = 0; value <= static_cast<unsigned>(errc::unreachable); ++value) {
+        auto const code = static_cast<errc>(value);
+        ASSERT_EQ(error(code, 0xFFFF).code(), code);
+        ASSERT_EQ(error(code, 0xFFFF).offset(), 0xFFFF);
+    }
+}
+
 TEST(error, fits_in_a_register)
 {
     VERIFY(sizeof(error) == 4);

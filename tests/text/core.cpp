@@ -27,6 +27,10 @@ TEST(text_errc, has_a_name_for_every_error)
     VERIFY(to_string(errc::none) == "none");
     VERIFY(to_string(errc::bad_quantity) == "bad_quantity");
     VERIFY(to_string(errc::no_space) == "no_space");
+    VERIFY(to_string(errc::read_only) == "read_only");
+    VERIFY(to_string(errc::inexact) == "inexact");
+    VERIFY(to_string(errc::out_of_range) == "out_of_range");
+    VERIFY(to_string(errc::unreachable) == "unreachable");
 }
 
 TEST(text_errc, explains_what_has_a_name)
@@ -48,6 +52,11 @@ TEST(text_error, says_what_and_where)
     VERIFY(reads(error{errc::truncated, 8}, "truncated, 8 bytes needed"));
     VERIFY(reads(error{errc::no_space, 256}, "no_space, 256 bytes needed"));
     VERIFY(reads(error{errc::exception_reply, 2}, "exception_reply 2"));
+    VERIFY(reads(error{errc::read_only, 0}, "read_only"));
+    VERIFY(reads(error{errc::inexact, 0}, "inexact"));
+    VERIFY(reads(error{errc::out_of_range, 0}, "out_of_range"));
+    VERIFY(reads(error{errc::unreachable, 0}, "unreachable"));
+    VERIFY(reads(error{errc::out_of_range, 9}, "out_of_range at byte 9"));
     VERIFY(reads(error{static_cast<errc>(31), 7}, "error 31 at byte 7"));
 }
 

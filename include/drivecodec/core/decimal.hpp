@@ -9,81 +9,103 @@
 
 namespace drivecodec {
 
-/// `number` x 10^`exponent`, exactly: 50.0 is {500, -1}. Equal values may be written in several ways, and are equal.
+/// `number` x 10^`exponent`: 50.0 is {500, -1}. Exact, as drives' registers are: 41.2 has no binary fraction.
+///
+/// The same value may be written with more digits or fewer: 50.0 == 50, but the digits are kept.
 struct decimal {
-    std::int32_t number{};
-    std::int8_t  exponent{};
+    std::int32_t number   = 0;
+    std::int8_t  exponent = 0;
 
-    /// The integer that times 10^`wanted` is this value. Errors, at 0: `inexact` if it has more digits than that shows,
-    /// `out_of_range` if the integer is larger than 32 bits.
-    [[nodiscard]] constexpr result<std::int32_t> scaled_to(int wanted) const noexcept
+    /// The n with n x 10^`to` equal to it.
+    ///
+    /// Errors: `inexact` where digits would be lost, `out_of_range` where n does not fit into 32 bits.
+    [[nodiscard]] constexpr result<std::int32_t> scaled_to(int to) const noexcept
     {
+        // At most ten turns, whatever the exponents: a number other than 0 then has no room or no zeros left.
         auto scaled = number;
         if (scaled == 0) { return scaled; }
-        auto shift = exponent - wanted;
-        for (; shift < 0; ++shift) {
+        for (int at = exponent; at > to; --at) {
+            if (scaled > limits::max() / 10 or scaled < limits::min() / 10) { return error{errc::out_of_range, 0}; }
+            scaled *= 10;
+        }
+        for (int at = exponent; at < to; ++at) {
             if (scaled % 10 != 0) { return error{errc::inexact, 0}; }
             scaled /= 10;
-        }
-        for (; shift > 0; --shift) {
-            constexpr auto most = std::numeric_limits<std::int32_t>::max() / 10;
-            if (scaled > most or scaled < -most) { return error{errc::out_of_range, 0}; }
-            scaled *= 10;
         }
         return scaled;
     }
 
-    /// Precondition: number is not the least of its type, which has no opposite.
-    [[nodiscard]] constexpr decimal operator-() const noexcept { return {-number, exponent}; }
+    /// Precondition: number > -2147483648, of which 32 bits do not hold the opposite.
+    [[nodiscard]] friend constexpr decimal operator-(decimal of) noexcept { return {-of.number, of.exponent}; }
 
-    friend constexpr std::strong_ordering operator<=>(decimal a, decimal b) noexcept
+    /// By value. Weak: what is equal may have other digits.
+    [[nodiscard]] friend constexpr std::weak_ordering operator<=>(decimal a, decimal b) noexcept
     {
-        auto const swapped = a.exponent < b.exponent;
-        auto const coarse  = swapped ? b : a;
-        auto const fine    = swapped ? a : b;
-        // The coarser one in digits of the finer, as far as it takes to tell which is larger.
-        constexpr std::int64_t beyond = std::int64_t{10} * std::numeric_limits<std::uint32_t>::max();
-        std::int64_t           scaled = coarse.number;
-        for (int shift = coarse.exponent - fine.exponent; shift > 0 and scaled < beyond and scaled > -beyond; --shift) {
-            scaled *= 10;
-            if (scaled == 0) { break; }
+        if (a.exponent >= b.exponent) {
+            // What does not fit into 32 bits is beyond every number that does.
+            auto const scaled = a.scaled_to(b.exponent);
+            return scaled ? *scaled <=> b.number : a.number <=> 0;
         }
-        auto const order = scaled <=> std::int64_t{fine.number};
-        return swapped ? 0 <=> order : order;
+        auto const scaled = b.scaled_to(a.exponent);
+        return scaled ? a.number <=> *scaled : 0 <=> b.number;
     }
-    friend constexpr bool operator==(decimal a, decimal b) noexcept { return (a <=> b) == 0; }
+    [[nodiscard]] friend constexpr bool operator==(decimal a, decimal b) noexcept
+    {
+        return (a <=> b) == std::weak_ordering::equivalent;
+    }
+
+private:
+    using limits = std::numeric_limits<std::int32_t>;
 };
 
-/// A decimal number as text: a sign or none, digits, of which ' may separate groups, and at most one point.
+namespace detail {
+
+[[nodiscard]] constexpr bool is_digit(char character) noexcept
+{
+    return character >= '0' and character <= '9';
+}
+
+}  // namespace detail
+
+/// A number as C++ writes one, but always decimal: an optional sign, digits with at most one point, and ' between
+/// digits. "50.0" is {500, -1}, "-.5" is {-5, -1}, "1'000" is {1000, 0}, "010" is {10, 0}. No blanks, no terminating
+/// zero, no 1e3.
 ///
-/// Trailing zeros count as digits: "50.0" is {500, -1}. Errors: `bad_value` at what is none of these; `truncated` at the
-/// end if there is no digit; `out_of_range` at the digit that is one too many for 32 bits.
+/// Errors: `bad_value` at the first character that cannot be there; `truncated` where a digit has to follow;
+/// `out_of_range` at the first digit that fits no more: `number` has 32 bits, fractions have at most 128 digits.
+/// Precondition: text.size() < 65535.
 [[nodiscard]] constexpr result<decimal> parse_decimal(std::span<char const> text) noexcept
 {
-    auto const  is_negative = not text.empty() and text.front() == '-';
-    std::size_t at          = is_negative or (not text.empty() and text.front() == '+') ? 1 : 0;
-    decimal     read;
-    auto        has_digit = false;
-    auto        has_point = false;
-    for (; at < text.size(); ++at) {
-        auto const character = text[at];
-        if (character == '.' and not has_point) {
-            has_point = true;
-        } else if (character >= '0' and character <= '9') {
-            auto const digit = character - '0';
-            if (read.number > (std::numeric_limits<std::int32_t>::max() - digit) / 10
-                or read.exponent == std::numeric_limits<std::int8_t>::min()) {
-                return error{errc::out_of_range, at};
+    constexpr std::uint32_t max = std::numeric_limits<std::int32_t>::max();
+
+    bool const    negative  = not text.empty() and text.front() == '-';
+    bool const    is_signed = negative or (not text.empty() and text.front() == '+');
+    std::uint32_t magnitude = 0;
+    int           exponent  = 0;
+    bool          has_point = false;
+    bool          has_digit = false;
+    char          before    = '\0';
+    for (std::size_t i = is_signed ? 1 : 0; i < text.size(); ++i) {
+        auto const c = text.data()[i];
+        if (detail::is_digit(c)) {
+            auto const digit = static_cast<std::uint32_t>(c - '0');
+            if (magnitude > max / 10 or magnitude * 10 + digit > max + (negative ? 1U : 0U)) {
+                return error{errc::out_of_range, i};
             }
-            read.number   = read.number * 10 + digit;
-            read.exponent = static_cast<std::int8_t>(read.exponent - (has_point ? 1 : 0));
-            has_digit     = true;
-        } else if (character != '\'' or not has_digit) {
-            return error{errc::bad_value, at};
+            if (has_point and --exponent < std::numeric_limits<std::int8_t>::min()) {
+                return error{errc::out_of_range, i};
+            }
+            magnitude = magnitude * 10 + digit;
+            has_digit = true;
+        } else if (c == '.' and not has_point and before != '\'') {
+            has_point = true;
+        } else if (c != '\'' or not detail::is_digit(before)) {
+            return error{errc::bad_value, i};
         }
+        before = c;
     }
-    if (not has_digit) { return error{errc::truncated, at + 1}; }
-    return is_negative ? -read : read;
+    if (not has_digit or before == '\'') { return error{errc::truncated, text.size() + 1}; }
+    return decimal{static_cast<std::int32_t>(negative ? 0 - magnitude : magnitude), static_cast<std::int8_t>(exponent)};
 }
 
 }  // namespace drivecodec

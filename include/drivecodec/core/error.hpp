@@ -6,7 +6,7 @@
 
 namespace drivecodec {
 
-/// Why bytes were refused. Every enumerator says what the bytes did, not what the code did.
+/// Why bytes, or a value, were refused. Every enumerator says what these did, not what the code did.
 enum class errc : std::uint8_t {
     none = 0,
     truncated,             ///< The message is longer than the bytes given; `offset` is the least total length it needs.
@@ -30,7 +30,7 @@ enum class errc : std::uint8_t {
     unreachable,           ///< A state that no command leads to from here.
 };
 
-/// What went wrong, and at which byte of those the user gave.
+/// What went wrong, and at which byte of those the user gave; 0 where a value was refused that is no byte.
 ///
 /// No text: the caller still holds the input, so the offending byte is `input[error.offset()]`. Words are in
 /// <drivecodec/text/core.hpp>, which firmware may leave out. As the result of a check, `errc::none` means that

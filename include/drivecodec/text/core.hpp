@@ -64,7 +64,23 @@ namespace drivecodec {
     return {};
 }
 
-/// What is wrong, and where: `bad_quantity at byte 4`, `truncated, 8 bytes needed`, `exception_reply 2`.
+namespace detail {
+
+/// Was something refused that need not be bytes? Then offset 0 is no place.
+[[nodiscard]] constexpr bool refuses_a_value(errc code) noexcept
+{
+    switch (code) {
+    case errc::read_only:
+    case errc::inexact:
+    case errc::out_of_range:
+    case errc::unreachable: return true;
+    default: return false;
+    }
+}
+
+}  // namespace detail
+
+/// What is wrong, and where: `bad_quantity at byte 4`, `truncated, 8 bytes needed`, `exception_reply 2`, `inexact`.
 constexpr void write_text(text_writer& out, error fault) noexcept
 {
     auto const name = to_string(fault.code());
@@ -78,7 +94,7 @@ constexpr void write_text(text_writer& out, error fault) noexcept
         out.put(", ").decimal(fault.offset()).put(" bytes needed");
     } else if (fault.code() == errc::exception_reply) {
         out.put(' ').decimal(fault.offset());
-    } else {
+    } else if (fault.offset() != 0 or not detail::refuses_a_value(fault.code())) {
         out.put(" at byte ").decimal(fault.offset());
     }
 }
