@@ -3,6 +3,7 @@
 
 #include <drivecodec/cia402/status_word.hpp>
 #include <drivecodec/core/pattern.hpp>
+#include <drivecodec/core/platform.hpp>
 #include <drivecodec/core/result.hpp>
 
 #include <array>
@@ -56,24 +57,37 @@ static_assert(
 
 namespace detail {
 
-/// The bits that tell states apart, side by side: 6, 5 and 3 to 0.
-[[nodiscard]] constexpr unsigned state_index(unsigned low_byte) noexcept
-{
-    return (low_byte >> 1 & 0x30U) | (low_byte & 0x0FU);
-}
-
 inline constexpr unsigned no_state = state_count;
 
-/// The state of each index, four bits each; eight in a word. The patterns, turned into what decodes fast and small.
-inline constexpr auto states_by_index = [] {
+/// By the patterns, one after the other. What decodes at run time is made of it.
+[[nodiscard]] constexpr unsigned find_state(unsigned low_byte) noexcept
+{
+    for (auto const& row : state_codings) {
+        if (row.low_byte.matches(static_cast<std::uint8_t>(low_byte))) { return static_cast<unsigned>(row.state); }
+    }
+    return no_state;
+}
+
+/// Fast: the state of each combination of the low seven bits.
+inline constexpr auto state_of_low_bits = [] {
+    std::array<std::uint8_t, 0x80> states{};
+    for (unsigned low_bits = 0; low_bits < states.size(); ++low_bits) {
+        states[low_bits] = static_cast<std::uint8_t>(find_state(low_bits));
+    }
+    return states;
+}();
+
+/// Small: the bits that tell states apart, 6, 5 and 3 to 0, side by side; and four bits of state for each, eight in a
+/// word.
+[[nodiscard]] constexpr unsigned packed_index(unsigned low_bits) noexcept
+{
+    return (low_bits >> 1 & 0x30U) | (low_bits & 0x0FU);
+}
+inline constexpr auto packed_states = [] {
     std::array<std::uint32_t, 8> packed{};
-    for (unsigned low_byte = 0; low_byte < 0x80; ++low_byte) {
-        auto found = no_state;
-        for (auto const& row : state_codings) {
-            if (row.low_byte.matches(static_cast<std::uint8_t>(low_byte))) { found = static_cast<unsigned>(row.state); }
-        }
-        auto const index = state_index(low_byte);
-        packed[index / 8] |= found << index % 8 * 4;
+    for (unsigned low_bits = 0; low_bits < 0x80; ++low_bits) {
+        if ((low_bits & 0x10U) != 0) { continue; }  // voltage enabled, which is not among them
+        packed[packed_index(low_bits) / 8] |= find_state(low_bits) << packed_index(low_bits) % 8 * 4;
     }
     return packed;
 }();
@@ -85,8 +99,13 @@ inline constexpr auto states_by_index = [] {
 /// Errors: `bad_value` at 0 for a word that is none, as 104 of the 128 combinations of the low seven bits are.
 [[nodiscard]] constexpr result<state> decode_state(status_word status) noexcept
 {
-    auto const index = detail::state_index(status.raw);
-    auto const found = detail::states_by_index[index / 8] >> index % 8 * 4 & 0xFU;
+    unsigned found = detail::no_state;
+    if constexpr (is_host) {
+        found = detail::state_of_low_bits[status.raw % detail::state_of_low_bits.size()];
+    } else {
+        auto const index = detail::packed_index(status.raw);
+        found            = detail::packed_states[index / 8] >> index % 8 * 4 & 0xFU;
+    }
     if (found == detail::no_state) { return error{errc::bad_value, 0}; }
     return static_cast<state>(found);
 }
