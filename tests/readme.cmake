@@ -1,4 +1,5 @@
-# The code of the README compiles but for its last statement, and that one is refused with the README's words.
+# The README's first code compiles but for its last statement, and that one is refused with the README's words; its other
+# code compiles. Its diagram is what DIAGRAM prints, if that is given.
 #   cmake -DREADME=... -DWORK=... -P readme.cmake -- compiler and flags
 cmake_minimum_required(VERSION 3.25)
 
@@ -29,4 +30,28 @@ file(WRITE ${WORK}/readme_refused.cpp "${accepted}${refused}")
 execute_process(COMMAND ${compile} ${WORK}/readme_refused.cpp RESULT_VARIABLE status ERROR_VARIABLE text)
 if(status EQUAL 0 OR NOT text MATCHES "${why}")
     message(FATAL_ERROR "the last statement was not refused as the README says:\n${text}")
+endif()
+
+# Every block but the first. No lists: code has semicolons.
+set(rest "${readme}")
+set(is_first TRUE)
+while(rest MATCHES "```cpp\n([^`]*)```")
+    set(code "${CMAKE_MATCH_1}")
+    string(FIND "${rest}" "${CMAKE_MATCH_0}" at)
+    string(LENGTH "${CMAKE_MATCH_0}" length)
+    math(EXPR at "${at} + ${length}")
+    string(SUBSTRING "${rest}" ${at} -1 rest)
+    if(NOT is_first)
+        file(WRITE ${WORK}/readme_more.cpp "${code}")
+        execute_process(COMMAND ${compile} ${WORK}/readme_more.cpp COMMAND_ERROR_IS_FATAL ANY)
+    endif()
+    set(is_first FALSE)
+endwhile()
+
+if(DIAGRAM)
+    execute_process(COMMAND ${DIAGRAM} OUTPUT_VARIABLE diagram COMMAND_ERROR_IS_FATAL ANY)
+    string(FIND "${readme}" "```mermaid\n${diagram}```" at)
+    if(at EQUAL -1)
+        message(FATAL_ERROR "the README's diagram is not what ${DIAGRAM} prints:\n${diagram}")
+    endif()
 endif()

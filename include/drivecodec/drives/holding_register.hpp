@@ -33,6 +33,9 @@ struct basic_holding_register {
     using value_type = Value;
     using request    = modbus::write_single_register::request;
 
+    static constexpr bool takes_every_value =
+        row.is_writable() and row.type == raw_type::bits and requires(Value wanted) { wanted.raw; };
+
     [[nodiscard]] static constexpr std::uint16_t address() noexcept { return Address; }
 
     /// The same with another scale, where the manual's is in doubt.
@@ -68,8 +71,16 @@ struct basic_holding_register {
 
     [[nodiscard]] static consteval typename Read::request read() { return {.range = {Address, 1}}; }
 
+    /// A word of which the register takes every value, known when it may be.
+    [[nodiscard]] static constexpr request write(Value wanted) noexcept
+        requires takes_every_value
+    {
+        return {.address = Address, .value = wanted.raw};
+    }
+
     /// A constant value: refused by the compiler if the register cannot take it.
     [[nodiscard]] static consteval request write(Value wanted)
+        requires(not takes_every_value)
     {
         if (not row.is_writable()) { compile_error::this_register_is_read_only(); }
         auto const bits = raw(wanted);

@@ -47,6 +47,15 @@ TEST(xd1000_registers, start_the_drive_with_6_7_F)
     VERIFY(cmd.write(cia402::command::enable_operation).address == 8501);
 }
 
+TEST(xd1000_registers, take_every_word_that_a_word_can_be_also_at_run_time)
+{
+    for (unsigned raw = 0; raw <= 0xFFFF; ++raw) {
+        auto const word = command_word::from_raw(static_cast<std::uint16_t>(raw));
+        ASSERT_EQ(cmd.write(word).value, raw);
+        ASSERT_EQ(cmd.make_write(word)->value, raw);
+    }
+}
+
 TEST(xd1000_registers, are_of_their_types)
 {
     VERIFY(eta.value(0x0237).test(status_word::remote));
