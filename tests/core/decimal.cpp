@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace {
 
@@ -101,6 +105,17 @@ private:
 
 constexpr int draws = 100'000;
 
+template <decimal Value>
+struct of_value {};
+
+TEST(decimal, is_two_members_and_nothing_else)
+{
+    VERIFY(std::is_aggregate_v<decimal> and std::is_trivially_copyable_v<decimal> and sizeof(decimal) == 8);
+    VERIFY(decimal{}.number == 0 and decimal{}.exponent == 0);
+    VERIFY(std::is_same_v<of_value<decimal{5, -1}>, of_value<decimal{5, -1}>>);
+    VERIFY(not std::is_same_v<of_value<decimal{5, 0}>, of_value<decimal{50, -1}>>);
+}
+
 //=== scaled_to ===//
 
 TEST(decimal, is_scaled_exactly_or_not_at_all)
@@ -143,6 +158,15 @@ TEST(decimal, of_0_has_every_scale)
     }
 }
 
+TEST(decimal, is_scaled_to_whatever_an_int_is)
+{
+    constexpr auto lowest  = std::numeric_limits<int>::min();
+    constexpr auto highest = std::numeric_limits<int>::max();
+    VERIFY(*decimal{0, 127}.scaled_to(lowest) == 0 and *decimal{0, -128}.scaled_to(highest) == 0);
+    VERIFY(decimal{1, 127}.scaled_to(lowest).error() == error{errc::out_of_range, 0});
+    VERIFY(decimal{1, -128}.scaled_to(highest).error() == error{errc::inexact, 0});
+}
+
 TEST(decimal, is_scaled_as_its_digits_are_moved_on_paper)
 {
     numbers random;
@@ -170,6 +194,13 @@ TEST(decimal, is_equal_however_it_is_written)
     VERIFY(decimal{} == decimal{0, 5});
     VERIFY(decimal{501, -1} != decimal{50, 0});
     VERIFY(decimal{-50, 0} != decimal{50, 0});
+}
+
+// Equal values may have other digits, so one cannot stand for the other.
+TEST(decimal, is_ordered_weakly)
+{
+    VERIFY(std::is_same_v<decltype(decimal{} <=> decimal{}), std::weak_ordering>);
+    VERIFY((decimal{50, 0} <=> decimal{500, -1}) == std::weak_ordering::equivalent);
 }
 
 TEST(decimal, is_ordered_by_value)
@@ -291,6 +322,7 @@ TEST(parse_decimal, refuses_what_cannot_be_there)
     VERIFY(refuses("0b1", errc::bad_value, 1));
     VERIFY(refuses("1,5", errc::bad_value, 1));
     VERIFY(refuses(std::string_view{"1\0", 2}, errc::bad_value, 1));
+    VERIFY(parse_decimal("50").error() == error{errc::bad_value, 2});  // an array of characters: with the zero
 }
 
 TEST(parse_decimal, takes_no_other_character_for_a_digit)
@@ -348,6 +380,63 @@ TEST(parse_decimal, reads_what_printing_writes)
             if (number < 0) { with_point.insert(0, "-"); }
             ASSERT_TRUE(reads(with_point, number, static_cast<int>(point) - static_cast<int>(text.size())))
                 << with_point;
+        }
+    }
+}
+
+/// The grammar, rule by rule, on strings: sign? digits? ("." digits?)?, with a digit, and ' between digits.
+std::optional<std::pair<std::int64_t, int>> by_the_grammar(std::string_view text)
+{
+    auto const is_digit = [](char c) { return c >= '0' and c <= '9'; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '\'') { continue; }
+        if (i == 0 or i + 1 == text.size() or not is_digit(text[i - 1]) or not is_digit(text[i + 1])) { return {}; }
+    }
+    std::string rest;
+    for (auto const c : text) {
+        if (c != '\'') { rest += c; }
+    }
+    bool const negative = rest.starts_with('-');
+    if (negative or rest.starts_with('+')) { rest.erase(0, 1); }
+    auto const point  = rest.find('.');
+    auto const behind = point == std::string::npos ? 0 : rest.size() - point - 1;
+    if (point != std::string::npos) { rest.erase(point, 1); }
+    if (rest.empty() or rest.find_first_not_of("0123456789") != std::string::npos) { return {}; }
+    return std::pair{std::stoll(rest) * (negative ? -1 : 1), -static_cast<int>(behind)};
+}
+
+TEST(parse_decimal, accepts_the_grammar_and_nothing_else)
+{
+    constexpr std::string_view alphabet = "09.'-+e";
+    for (std::size_t length = 0; length <= 6; ++length) {
+        std::string text(length, alphabet[0]);
+        for (bool more = true; more;) {
+            auto const expected = by_the_grammar(text);
+            auto const read     = parse_decimal(text);
+            ASSERT_EQ(read.has_value(), expected.has_value()) << text;
+            if (read) {
+                ASSERT_EQ(read->number, expected->first) << text;
+                ASSERT_EQ(read->exponent, expected->second) << text;
+            } else if (read.error().code() == errc::truncated) {
+                ASSERT_EQ(read.error().offset(), text.size() + 1) << text;
+                ASSERT_TRUE(by_the_grammar(text + '0')) << text;  // a digit is all it lacks
+            } else {
+                // What stands before could still have become a number.
+                ASSERT_EQ(read.error().code(), errc::bad_value) << text;
+                auto const before = text.substr(0, read.error().offset());
+                ASSERT_TRUE(by_the_grammar(before) or by_the_grammar(before + '0')) << text;
+                ASSERT_FALSE(by_the_grammar(before + text[before.size()] + '0')) << text;
+            }
+            more = false;
+            for (auto& c : text) {
+                auto const at = alphabet.find(c) + 1;
+                if (at < alphabet.size()) {
+                    c    = alphabet[at];
+                    more = true;
+                    break;
+                }
+                c = alphabet[0];
+            }
         }
     }
 }

@@ -2,7 +2,9 @@
 
 #include "support/verify.hpp"
 
+#include <array>
 #include <concepts>
+#include <string_view>
 #include <type_traits>
 
 namespace {
@@ -137,6 +139,52 @@ TEST(quantity, is_a_template_argument)
     VERIFY(std::same_as<limited<50_Hz>, limited<50_Hz>>);
     // Arguments are the same if their members are, so digits count.
     VERIFY(not std::same_as<limited<50_Hz>, limited<50.0_Hz>>);
+}
+
+TEST(quantity, is_made_of_any_decimal)
+{
+    using hertz = quantity<unit::hertz>;
+    VERIFY(std::is_aggregate_v<hertz> and std::is_trivially_copyable_v<hertz> and sizeof(hertz) == sizeof(decimal));
+    VERIFY(hertz::unit_of_measure == unit::hertz);
+    VERIFY(is(hertz{}, unit::hertz, 0, 0));
+    VERIFY(is(hertz{412, -1}, unit::hertz, 412, -1));
+    VERIFY(is(hertz::of({412, -1}), unit::hertz, 412, -1));
+    VERIFY((41.2_Hz).value().number == 412 and (41.2_Hz).value().exponent == -1);
+    // But of no decimal by chance, nor a decimal of it.
+    VERIFY(not std::is_convertible_v<decimal, hertz> and not std::is_convertible_v<hertz, decimal>);
+    VERIFY(not comparable<hertz, decimal>);
+}
+
+TEST(quantity, is_read_alike_from_literals_and_from_text)
+{
+    constexpr std::array<std::string_view, 5> texts{"50.0", "1'500", ".5", "5.", "2147483647"};
+    constexpr std::array                      literals{50.0_Hz, 1'500_Hz, .5_Hz, 5._Hz, 2147483647_Hz};
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        auto const read = parse_decimal(opaque(texts[i]));
+        ASSERT_TRUE(read) << texts[i];
+        EXPECT_TRUE(is(quantity<unit::hertz>::of(*read), unit::hertz, literals[i].number, literals[i].exponent));
+    }
+}
+
+// Where Clang 14 does not link what is consteval, or calls it at run time.
+template <typename Quantity>
+bool is_between(Quantity q)
+{
+    auto const below = [](auto other) { return other < 60.0_Hz; };
+    return q > 40.0_Hz and below(q);
+}
+
+struct setting {
+    quantity<unit::hertz>  high_speed = 50.0_Hz;
+    quantity<unit::second> ramp       = 250_ms;
+};
+
+TEST(quantity, has_literals_that_may_stand_anywhere)
+{
+    EXPECT_TRUE(is_between(opaque(quantity<unit::hertz>{412, -1})));
+    EXPECT_FALSE(is_between(opaque(quantity<unit::hertz>{600, -1})));
+    EXPECT_TRUE(is(opaque(setting{}).high_speed, unit::hertz, 500, -1));
+    EXPECT_TRUE(is(opaque(setting{}).ramp, unit::second, 250, -3));
 }
 
 }  // namespace
