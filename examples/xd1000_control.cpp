@@ -199,7 +199,7 @@ int to_rpm(std::string const& hertz, unsigned pole_pairs)
     auto rpm   = std::int64_t{frequency->number} * 60;
     auto exact = rpm % pole_pairs == 0;
     rpm /= pole_pairs;
-    for (int exponent = frequency->exponent; exponent < 0; ++exponent) {
+    for (auto exponent = frequency->exponent; exponent < 0; ++exponent) {
         exact = exact and rpm % 10 == 0;
         rpm /= 10;
     }
