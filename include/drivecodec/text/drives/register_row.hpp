@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/drives/register_row.hpp>
+#include <drivecodec/text/quantity.hpp>
+
+#include <utility>
+
+namespace drivecodec::drives {
+
+// An enumerator's own name; empty for a value without one.
+
+[[nodiscard]] constexpr std::string_view to_string(access may) noexcept
+{
+    switch (may) {
+    case access::read_only: return "read_only";
+    case access::read_write: return "read_write";
+    case access::read_write_at_standstill: return "read_write_at_standstill";
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr std::string_view to_string(raw_type type) noexcept
+{
+    switch (type) {
+    case raw_type::unsigned_number: return "unsigned_number";
+    case raw_type::signed_number: return "signed_number";
+    case raw_type::bits: return "bits";
+    case raw_type::enumeration: return "enumeration";
+    case raw_type::register_address: return "register_address";
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr std::string_view to_string(source from) noexcept
+{
+    switch (from) {
+    case source::manual: return "manual";
+    case source::sister_drive: return "sister_drive";
+    case source::nobody: return "nobody";
+    }
+    return {};
+}
+
+/// What to call a register: its code if it has bits, as people know those by it; else its name.
+[[nodiscard]] constexpr std::string_view title(register_row const& row) noexcept
+{
+    return row.type == raw_type::bits and not row.code.empty() ? row.code : row.name;
+}
+
+namespace detail {
+
+/// A quantity of a unit known only at run time: the table's.
+template <std::uint8_t... Units>
+constexpr void write_quantity(text_writer& out, decimal value, unit of,
+                              std::integer_sequence<std::uint8_t, Units...>) noexcept
+{
+    static_cast<void>(((of == unit{Units} and (write_text(out, quantity<unit{Units}>::of(value)), true)) or ...));
+}
+
+}  // namespace detail
+
+/// What the table alone says of these 16 bits: `50.0 Hz`, `13 s`, `-1500 rpm`; bits in hexadecimal; codes and addresses
+/// as numbers.
+constexpr void write_value(text_writer& out, register_row const& row, std::uint16_t raw) noexcept
+{
+    if (row.type == raw_type::bits) {
+        out.hex(raw);
+    } else {
+        constexpr auto last = static_cast<std::uint8_t>(unit::newton_metre);
+        detail::write_quantity(out, {row.number(raw), row.exponent}, row.unit,
+                               std::make_integer_sequence<std::uint8_t, last + 1>{});
+    }
+}
+
+}  // namespace drivecodec::drives
