@@ -1,3 +1,5 @@
+#include <drivecodec/cia402/machine.hpp>
+#include <drivecodec/cia402/next.hpp>
 #include <drivecodec/drives/xd1000/command_word.hpp>
 
 #include "support/verify.hpp"
@@ -54,6 +56,50 @@ TEST(xd1000_manual, marks_bit_3_as_of_no_significance_to_switch_on_yet_000F_enab
     VERIFY(decode_command(command_word::from_raw(0x0007).standard(), state::ready_to_switch_on) == command::switch_on);
     VERIFY(decode_command(command_word::from_raw(0x000F).standard(), state::ready_to_switch_on)
            == command::enable_operation);
+}
+
+TEST(xd1000_manual, has_a_row_for_fault_reset_without_saying_that_the_bit_must_return_to_0)
+{
+    // Any other command lowers it, ready for the next edge; the same word again is no edge.
+    auto const raised = command_word{command::fault_reset};
+    for (auto const given : {command::shutdown, command::switch_on, command::enable_operation, command::disable_operation,
+                             command::disable_voltage, command::quick_stop}) {
+        EXPECT_FALSE(apply(given, raised).test(command_word::fault_reset));
+    }
+
+    using drivecodec::cia402::state;
+    drivecodec::cia402::machine drive;
+    drive.initialised();
+    auto const fail = [&] {
+        drive.fault();
+        drive.fault_handled();
+    };
+    fail();
+    drive.receive(raised.standard());
+    EXPECT_EQ(drive.state(), state::switch_on_disabled);
+    fail();
+    for (int again = 0; again < 3; ++again) { drive.receive(raised.standard()); }
+    EXPECT_EQ(drive.state(), state::fault);
+    drive.receive(command_word{command::disable_voltage}.standard());
+    drive.receive(raised.standard());
+    EXPECT_EQ(drive.state(), state::switch_on_disabled);
+}
+
+TEST(xd1000_manual, numbers_transitions_only_in_a_figure_that_is_missing_and_has_no_16)
+{
+    // "Restarting is only possible after the drive has changed to the Switch on disabled state."
+    using drivecodec::cia402::state;
+    drivecodec::cia402::machine drive;
+    drive.initialised();
+    for (auto const given : {command::shutdown, command::switch_on, command::enable_operation, command::quick_stop}) {
+        drive.receive(command_word{given}.standard());
+    }
+    EXPECT_EQ(drive.state(), state::quick_stop_active);
+    drive.receive(command_word{command::enable_operation}.standard());
+    EXPECT_EQ(drive.state(), state::quick_stop_active);
+    drive.receive(command_word{command::disable_voltage}.standard());
+    EXPECT_EQ(drive.state(), state::switch_on_disabled);
+    VERIFY(next(state::quick_stop_active, state::operation_enabled).command() == command::disable_voltage);
 }
 
 TEST(xd1000_command_word, keeps_halt_direction_and_all_other_bits)

@@ -53,6 +53,27 @@ TEST(xd1000_manual, has_its_fields_under_other_names_than_the_specification)
     EXPECT_EQ(reply->objects().size(), 3U);
 }
 
+TEST(xd1000_manual, has_conformity_2_but_only_the_basic_objects_so_the_count_and_more_follows_decide)
+{
+    // The same drive, as if it had no room: two responses, whatever the conformity says.
+    constexpr auto first  = "2B 0E 01 02 FF 02 02 00 01 41 01 01 42"_hex;
+    constexpr auto second = "2B 0E 01 02 00 00 01 02 04 30 32 30 31"_hex;
+    using response        = modbus::read_device_identification::response;
+    auto const half       = decode<response>(bytes{first});
+    ASSERT_TRUE(half);
+    ASSERT_TRUE(half->more_follows());
+    EXPECT_EQ(half->next_object_id(), modbus::device_object_id::major_minor_revision);
+    xd1000::identification drive;
+    drive.take(*half);
+    EXPECT_FALSE(drive.version());
+    auto const rest = decode<response>(bytes{second});
+    ASSERT_TRUE(rest);
+    drive.take(*rest);
+    EXPECT_FALSE(rest->more_follows());
+    EXPECT_TRUE(is(drive.vendor_name, "A") and is(drive.product_code, "B"));
+    EXPECT_EQ(*drive.version(), (xd1000::version{2, 1}));
+}
+
 TEST(xd1000_manual, leaves_out_the_negative_answer_so_both_forms_are_read)
 {
     auto       frame    = std::array<std::uint8_t, 6>{0x02, 0xAB, 0x0E, 0x02};

@@ -65,6 +65,32 @@ TEST(xd1000_scanner_configuration, is_checked)
     VERIFY(scanner_configuration::make({}, {8501, 0, 3201, 0}).error() == error{errc::read_only, 6});
 }
 
+TEST(xd1000_scanner_configuration, is_read_from_the_drive_as_it_is_written_to_it)
+{
+    VERIFY(encode(scanner_configuration::read_inputs()) == "03 31 9D 00 04"_hex);
+    VERIFY(encode(scanner_configuration::read_outputs()) == "03 31 B1 00 04"_hex);
+
+    static constexpr auto written = *scanner_configuration::make({3201, 8604, 3206, 0}, {8501, 0, 8504, 0});
+    constexpr auto        seen    = scanner_configuration::decode(written.write_inputs().block.values().words,
+                                                                  written.write_outputs().block.values().words);
+    VERIFY(*seen == written);
+
+    static constexpr std::array<std::uint16_t, 4> four{};
+    static constexpr std::array<std::uint16_t, 3> three{};
+    VERIFY(scanner_configuration::decode(three, four).error() == error{errc::bad_quantity, 0});
+    VERIFY(scanner_configuration::decode(four, three).error() == error{errc::bad_quantity, 4});
+}
+
+TEST(xd1000_scanner_configuration, may_be_of_registers_that_the_manual_does_not_have)
+{
+    static constexpr std::array<std::uint16_t, 4> inputs{3202, 0, 0, 0};
+    static constexpr std::array<std::uint16_t, 4> outputs{8501, 0, 0, 0};
+    static constexpr std::array<std::uint16_t, 1> answer{500};
+    constexpr auto                                seen = scanner_configuration::decode(inputs, outputs);
+    VERIFY(seen.has_value() and not scanner_configuration::make(inputs, outputs));
+    VERIFY(*seen->input(std::uint16_t{3202}, answer) == 500);
+}
+
 TEST(xd1000_scanner_configuration, exchanges_what_is_in_use)
 {
     static constexpr std::array<std::uint16_t, 1> one{0x0006};

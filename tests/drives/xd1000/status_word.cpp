@@ -1,3 +1,4 @@
+#include <drivecodec/cia402/next.hpp>
 #include <drivecodec/drives/xd1000/status_word.hpp>
 
 #include "support/verify.hpp"
@@ -62,6 +63,22 @@ TEST(xd1000_manual, says_bit_4_is_always_1_and_bit_7_always_0_but_neither_decide
 TEST(xd1000_manual, calls_bit_9_local_mode_active_at_0)
 {
     VERIFY(word_of(0x0000).is_local() and not word_of(0x0200).is_local());
+}
+
+TEST(xd1000_manual, says_once_that_a_setting_leads_back_from_two_states_and_once_from_one)
+{
+    // So it may happen in both: the next command follows from the state that ETA reports, not from the last command.
+    using drivecodec::cia402::command;
+    using drivecodec::cia402::next;
+    constexpr auto fallen_back = *decode_state(word_of(0x0250));
+    VERIFY(next(fallen_back, state::switched_on).command() == command::shutdown);
+    VERIFY(next(fallen_back, state::operation_enabled).command() == command::shutdown);
+}
+
+TEST(xd1000_manual, says_that_operation_enabled_has_power_except_at_zero_reference_and_halt)
+{
+    // One and the same state with and without: what tells them apart is not in ETA.
+    VERIFY(*decode_state(word_of(0x0637)) == *decode_state(word_of(0x0237)));
 }
 
 TEST(xd1000_status_word, has_the_state_of_the_standard_for_every_word)

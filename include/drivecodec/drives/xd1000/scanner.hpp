@@ -33,14 +33,33 @@ public:
             if (outputs[i] != 0 and row == nullptr) { return error{errc::bad_address, scanner_words + i}; }
             if (outputs[i] != 0 and not row->is_writable()) { return error{errc::read_only, scanner_words + i}; }
         }
-        scanner_configuration made;
-        made.inputs_  = inputs;
-        made.outputs_ = outputs;
-        return made;
+        return scanner_configuration{inputs, outputs};
+    }
+
+    /// As it was read from the drive, whatever it holds: a drive has more registers than its manual names.
+    /// Errors: `bad_quantity` if they are not four words each, at 0 for inputs, at 4 for outputs.
+    [[nodiscard]] static constexpr result<scanner_configuration> decode(modbus::register_view inputs,
+                                                                        modbus::register_view outputs) noexcept
+    {
+        if (inputs.size() != scanner_words) { return error{errc::bad_quantity, 0}; }
+        if (outputs.size() != scanner_words) { return error{errc::bad_quantity, scanner_words}; }
+        return scanner_configuration{{inputs[0], inputs[1], inputs[2], inputs[3]},
+                                     {outputs[0], outputs[1], outputs[2], outputs[3]}};
     }
 
     [[nodiscard]] constexpr addresses const& inputs() const noexcept { return inputs_; }
     [[nodiscard]] constexpr addresses const& outputs() const noexcept { return outputs_; }
+
+    //=== ask the drive how it is set up, for `decode` ===//
+
+    [[nodiscard]] static consteval read_holding_registers::request read_inputs()
+    {
+        return registers<nma1, nma2, nma3, nma4>::read();
+    }
+    [[nodiscard]] static consteval read_holding_registers::request read_outputs()
+    {
+        return registers<nca1, nca2, nca3, nca4>::read();
+    }
 
     //=== set up the drive: while the motor stands ===//
 
@@ -86,6 +105,10 @@ public:
     friend constexpr bool operator==(scanner_configuration const&, scanner_configuration const&) noexcept = default;
 
 private:
+    constexpr scanner_configuration(addresses const& inputs, addresses const& outputs) noexcept
+        : inputs_{inputs}, outputs_{outputs}
+    {}
+
     [[nodiscard]] static constexpr std::size_t words_in_use(addresses const& words) noexcept
     {
         auto count = scanner_words;
