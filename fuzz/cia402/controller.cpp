@@ -25,7 +25,10 @@ public:
         case 3: drive_.quick_stop_finished(); break;
         case 4: drive_.voltage_lost(); break;
         case 5: drive_.voltage_restored(); break;
-        case 6: control_.set_goal(static_cast<state>(argument % state_count)); break;
+        case 6:
+            control_.set_goal(static_cast<state>(argument % state_count));
+            check_goal();
+            break;
         case 7:
             control_.reset_fault();
             may_reset_ = true;
@@ -49,10 +52,7 @@ public:
             drive_.fault_handled();
             drive_.quick_stop_finished();
             says = hear(drive_.status());
-            auto const before = drive_.state();
             drive_.receive(control_.word());
-            auto const is_on = drive_.state() == state::operation_enabled and before != state::operation_enabled;
-            FUZZ_ASSERT(not is_on or control_.goal() == state::operation_enabled);
         }
         FUZZ_ASSERT(says != progress::waiting);
         FUZZ_ASSERT(says != progress::reached or drive_.state() == control_.goal());
@@ -76,6 +76,7 @@ private:
         auto const says   = control_.update(heard);
         auto const word   = control_.word();
         FUZZ_ASSERT((word.raw & ~command_bits) == others_);
+        check_goal();
         if (word.test(control_word::fault_reset)) {
             FUZZ_ASSERT(not before.test(control_word::fault_reset));
             FUZZ_ASSERT(may_reset_);
@@ -83,6 +84,13 @@ private:
             may_reset_ = false;
         }
         return says;
+    }
+
+    /// The motor gets power only where that is the goal; of a goal that is none, it is kept where it is.
+    void check_goal() const
+    {
+        FUZZ_ASSERT(not control_.word().test(control_word::enable_operation) or not is_goal(control_.goal())
+                    or control_.goal() == state::operation_enabled);
     }
 
     machine       drive_;

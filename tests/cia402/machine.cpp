@@ -1,5 +1,6 @@
 #include <drivecodec/cia402/machine.hpp>
 
+#include "cia402/drive_in.hpp"
 #include "support/verify.hpp"
 
 #include <array>
@@ -8,7 +9,10 @@ namespace {
 
 using namespace drivecodec::cia402;
 
-constexpr control_word word_of(unsigned raw) { return control_word::from_raw(static_cast<std::uint16_t>(raw)); }
+constexpr control_word word_of(unsigned raw)
+{
+    return control_word::from_raw(static_cast<std::uint16_t>(raw));
+}
 
 constexpr auto not_ready = state::not_ready_to_switch_on;
 constexpr auto disabled  = state::switch_on_disabled;
@@ -18,21 +22,6 @@ constexpr auto enabled   = state::operation_enabled;
 constexpr auto quick     = state::quick_stop_active;
 constexpr auto reaction  = state::fault_reaction_active;
 constexpr auto faulty    = state::fault;
-
-/// A drive in this state, whose last control word had no reset.
-constexpr machine drive_in(state wanted, machine::settings chosen = {})
-{
-    machine drive{chosen};
-    if (wanted == not_ready) { return drive; }
-    drive.initialised();
-    if (wanted == reaction or wanted == faulty) { drive.fault(); }
-    if (wanted == faulty) { drive.fault_handled(); }
-    if (wanted == reaction or wanted == faulty) { return drive; }
-    for (auto const raw : {0x0006U, 0x0007U, 0x000FU, 0x0002U}) {
-        if (drive.state() != wanted) { drive.receive(word_of(raw)); }
-    }
-    return drive;
-}
 
 /// Where a low nibble leads, written from the standard's figure; the reset bit apart.
 constexpr state after(state from, unsigned raw, bool resumes)
@@ -116,7 +105,7 @@ TEST(machine, resumes_from_quick_stop_only_where_it_stays_there)
 TEST(machine, events_lead_nowhere_from_the_wrong_states)
 {
     for (unsigned s = 0; s < state_count; ++s) {
-        auto const from = static_cast<state>(s);
+        auto const from  = static_cast<state>(s);
         auto       drive = drive_in(from);
         drive.initialised();
         EXPECT_EQ(drive.state(), from == not_ready ? disabled : from);
@@ -132,8 +121,8 @@ TEST(machine, events_lead_nowhere_from_the_wrong_states)
 TEST(machine, without_voltage_is_not_switched_on)
 {
     for (unsigned s = 0; s < state_count; ++s) {
-        auto const from      = static_cast<state>(s);
-        auto       drive     = drive_in(from);
+        auto const from     = static_cast<state>(s);
+        auto       drive    = drive_in(from);
         auto const needs_it = from == on or from == enabled or from == quick;
         drive.voltage_lost();
         EXPECT_EQ(drive.state(), needs_it ? disabled : from) << s;

@@ -1,6 +1,6 @@
-#include <drivecodec/cia402/machine.hpp>
 #include <drivecodec/cia402/path.hpp>
 
+#include "cia402/drive_in.hpp"
 #include "support/verify.hpp"
 
 #include <array>
@@ -26,9 +26,10 @@ int shortest(state from, state goal, way chosen)
         auto const here = queue[head];
         if (here == state::operation_enabled and here != from) { continue; }  // only ever the end of a way
         for (auto const& row : transitions) {
-            auto const is_made_on_purpose = row.cause != cause{event::fault} and row.cause != cause{event::quick_stop_finished};
-            auto const is_offered         = row.number != 16 or chosen.resumes_from_quick_stop;
-            auto const to                 = static_cast<std::size_t>(row.to);
+            auto const is_made_on_purpose =
+                row.cause != cause{event::fault} and row.cause != cause{event::quick_stop_finished};
+            auto const is_offered = row.number != 16 or chosen.resumes_from_quick_stop;
+            auto const to         = static_cast<std::size_t>(row.to);
             if (row.from.contains(here) and is_made_on_purpose and is_offered and distance[to] < 0) {
                 distance[to] = distance[static_cast<std::size_t>(here)] + 1;
                 queue.push_back(row.to);
@@ -36,21 +37,6 @@ int shortest(state from, state goal, way chosen)
         }
     }
     return distance[static_cast<std::size_t>(goal)];
-}
-
-/// A drive in this state.
-machine drive_in(state wanted)
-{
-    machine drive{{.stays_in_quick_stop = true, .resumes_from_quick_stop = true}};
-    if (wanted == state::not_ready_to_switch_on) { return drive; }
-    drive.initialised();
-    if (wanted == state::fault_reaction_active or wanted == state::fault) { drive.fault(); }
-    if (wanted == state::fault) { drive.fault_handled(); }
-    if (wanted >= state::fault_reaction_active) { return drive; }
-    for (auto const raw : {0x0006, 0x0007, 0x000F, 0x0002}) {
-        if (drive.state() != wanted) { drive.receive(control_word::from_raw(static_cast<std::uint16_t>(raw))); }
-    }
-    return drive;
 }
 
 TEST(path, replayed_against_the_drive_s_side_reaches_its_goal_by_the_shortest_way)
@@ -69,15 +55,15 @@ TEST(path, replayed_against_the_drive_s_side_reaches_its_goal_by_the_shortest_wa
                 ASSERT_TRUE(made) << f << ' ' << g;
                 EXPECT_EQ(static_cast<int>(made->size()), shortest(from, goal, chosen)) << f << ' ' << g;
 
-                auto drive = drive_in(from);
+                auto drive = drive_in(from, {.resumes_from_quick_stop = chosen.resumes_from_quick_stop});
                 ASSERT_EQ(drive.state(), from);
                 for (auto const& row : *made) {
                     if (row.cause == cause{event::initialised}) { drive.initialised(); }
                     if (row.cause == cause{event::fault_handled}) { drive.fault_handled(); }
                     if (not row.cause.is_automatic()) { drive.receive(apply(row.cause.command(), {})); }
                     // 000F goes through Switched on at once.
-                    auto const went_through = chosen.straight_to_operation_enabled and row.number == 3
-                                              and goal == state::operation_enabled;
+                    auto const went_through =
+                        chosen.straight_to_operation_enabled and row.number == 3 and goal == state::operation_enabled;
                     EXPECT_EQ(drive.state(), went_through ? goal : row.to) << f << ' ' << g << ' ' << int{row.number};
                     EXPECT_TRUE(row.to != state::operation_enabled or goal == row.to) << f << ' ' << g;
                 }
@@ -105,8 +91,8 @@ TEST(path, is_a_constant)
 
 TEST(path, straight_to_operation_enabled_is_3_and_4_by_one_command)
 {
-    constexpr auto straight = path::between(state::ready_to_switch_on, state::operation_enabled,
-                                            way{.straight_to_operation_enabled = true});
+    constexpr auto straight =
+        path::between(state::ready_to_switch_on, state::operation_enabled, way{.straight_to_operation_enabled = true});
     VERIFY(straight->size() == 2 and (*straight)[0].number == 3 and (*straight)[1].number == 4);
     VERIFY((*straight)[0].cause == cause{command::enable_operation});
     VERIFY((*straight)[1].cause == cause{command::enable_operation});

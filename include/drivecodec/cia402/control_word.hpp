@@ -7,8 +7,8 @@ namespace drivecodec::cia402 {
 
 /// Controlword, object 6040h: what the drive is told. IEC 61800-7-201, "Controlword".
 ///
-/// Names say what a 1 does. Bits 0 to 3 and 7 are set by `apply` of command.hpp, which keeps all others. Bits 4 to 6 and
-/// 9 mean something in each mode of operation: see modes_of_operation.hpp.
+/// Names say what a 1 does. Bits 0 to 3 and 7 are set by `apply` of command.hpp, which keeps all others. Bits 4 to 6
+/// and 9 mean something in each mode of operation: see mode_specific.hpp.
 struct control_word : word<control_word, std::uint16_t> {
     static constexpr flag<control_word> switch_on{0};
     static constexpr flag<control_word> enable_voltage{1};

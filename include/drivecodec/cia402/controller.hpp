@@ -7,11 +7,13 @@ namespace drivecodec::cia402 {
 
 /// What a controller says of its drive.
 enum class progress : std::uint8_t {
-    reached,      ///< The drive is in the goal; `word()` keeps it there.
-    waiting,      ///< On the way.
-    faulted,      ///< The drive is in Fault, and stays there until `reset_fault`.
-    refused,      ///< The drive did not follow within the given number of statuswords.
-    unreachable,  ///< No command leads to the goal from here; `word()` keeps the drive where it is.
+    reached,  ///< The drive is in the goal; `word()` keeps it there.
+    waiting,  ///< On the way.
+    faulted,  ///< The drive is in Fault, and stays there until `reset_fault`.
+    refused,  ///< The drive did not follow within the given number of statuswords.
+    /// No command leads to the goal from here; `word()` keeps the drive where it is. Also said of Quick stop active
+    /// once the drive has left it by itself, as it does with the quick stop option codes 1 to 4.
+    unreachable,
 };
 
 /// The client's side: takes a drive to a state and keeps it there, over whatever bus.
@@ -22,7 +24,8 @@ class controller {
 public:
     struct settings {
         cia402::way way{};
-        /// How many statuswords in a row may show no new state before the drive is said to have refused.
+        /// How many statuswords in a row may show no new state before the drive is said to have refused. No more than
+        /// 8 * (patience + 1) + 1 of them are ever answered by `waiting`.
         std::uint16_t patience = 10;
     };
 
@@ -30,10 +33,15 @@ public:
     constexpr controller() noexcept = default;
     constexpr explicit controller(settings chosen) noexcept : settings_{chosen} {}
 
+    /// At once, `word()` no longer enables operation unless that is the goal: the last such word may have been lost,
+    /// and the next statusword may not tell where the drive is.
     constexpr void set_goal(state goal) noexcept
     {
         goal_ = goal;
         start_again();
+        if (word_.test(control_word::enable_operation) and is_goal(goal) and goal != state::operation_enabled) {
+            give(holding_command(goal));
+        }
     }
     [[nodiscard]] constexpr state goal() const noexcept { return goal_; }
 
@@ -60,8 +68,8 @@ public:
         if (not decoded) { return wait(); }
         auto const present = *decoded;
         if ((seen_ & bit(present)) == 0) {
-            seen_   = static_cast<std::uint8_t>(seen_ | bit(present));
-            waited_ = 0;
+            seen_ = static_cast<std::uint8_t>(seen_ | bit(present));
+            left_ = std::uint32_t{settings_.patience} + 1;  // and this word, which is new
         }
         if (present == state::fault) { return in_fault(); }
         if (present != state::fault_reaction_active) { reset_ = reset::none; }
@@ -107,8 +115,8 @@ private:
 
     constexpr progress wait() noexcept
     {
-        if (waited_ > settings_.patience) { return progress::refused; }
-        ++waited_;
+        if (left_ == 0) { return progress::refused; }
+        --left_;
         return progress::waiting;
     }
 
@@ -120,18 +128,18 @@ private:
 
     constexpr void start_again() noexcept
     {
-        seen_   = 0;
-        waited_ = 0;
+        seen_ = 0;
+        left_ = settings_.patience;
     }
 
     [[nodiscard]] static constexpr unsigned bit(state which) noexcept { return 1U << static_cast<unsigned>(which); }
 
     settings      settings_{};
     control_word  word_{};
-    std::uint16_t waited_ = 0;  // statuswords since the last state that was new
-    std::uint8_t  seen_   = 0;  // the states since the goal was set or reached; each new one is a sign of life
-    state         goal_   = state::switch_on_disabled;
-    reset         reset_  = reset::none;
+    std::uint32_t left_  = settings_.patience;  // how many statuswords may still show no state that is new
+    std::uint8_t  seen_  = 0;  // the states since the goal was set or reached; each new one is a sign of life
+    state         goal_  = state::switch_on_disabled;
+    reset         reset_ = reset::none;
 };
 
 }  // namespace drivecodec::cia402

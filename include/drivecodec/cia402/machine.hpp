@@ -23,8 +23,8 @@ public:
 
     /// The state's coding and Voltage enabled; all other bits are 0, for the caller to add.
     ///
-    /// In the faults the quick stop bit tells whether the fault came in Quick stop active (0), as drives do in which it is
-    /// not just anything.
+    /// In the faults the quick stop bit tells whether the fault came in Quick stop active (0), as drives do in which it
+    /// is not just anything.
     [[nodiscard]] constexpr status_word status() const noexcept
     {
         auto const coding = state_codings[static_cast<std::size_t>(state_)].low_byte;
@@ -36,8 +36,9 @@ public:
 
     /// The control word that arrived, once for each time that it arrives.
     ///
-    /// A rising reset bit is a reset and nothing else; every other word is the command that its level tells, carried out as
-    /// far as it goes: 000Fh leads through Switched on. What is no transition from here changes nothing.
+    /// In Fault a rising reset bit is a reset, and the word nothing else. Every other word is the command that its
+    /// level tells, carried out as far as it goes: 000Fh leads through Switched on. What is no transition from here
+    /// changes nothing.
     constexpr void receive(control_word word) noexcept
     {
         auto const had_reset = has_reset_;
@@ -56,7 +57,8 @@ public:
     constexpr void fault_handled() noexcept { static_cast<void>(take(event::fault_handled)); }
     constexpr void quick_stop_finished() noexcept { static_cast<void>(take(event::quick_stop_finished)); }
 
-    /// The power stage is no longer supplied: as Disable voltage, in the states that need it. Transition 3 needs it too.
+    /// The power stage is no longer supplied: as Disable voltage, in the states that need it. Transition 3 needs it
+    /// too.
     constexpr void voltage_lost() noexcept
     {
         has_voltage_ = false;

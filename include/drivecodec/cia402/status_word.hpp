@@ -8,7 +8,7 @@ namespace drivecodec::cia402 {
 /// Statusword, object 6041h: what the drive says of itself. IEC 61800-7-201, "Statusword".
 ///
 /// Names say what a 1 means. The state is in bits 0 to 3, 5 and 6: see `decode_state`. Bits 10, 12 and 13 mean
-/// something in each mode of operation: see modes_of_operation.hpp.
+/// something in each mode of operation: see mode_specific.hpp.
 struct status_word : word<status_word, std::uint16_t> {
     static constexpr flag<status_word> ready_to_switch_on{0};
     static constexpr flag<status_word> switched_on{1};
