@@ -27,7 +27,7 @@ struct command_word : word<command_word, std::uint16_t> {
     /// The command alone, all other bits 0: forward, no halt.
     constexpr command_word(cia402::command given) noexcept : command_word{cia402::apply(given, {})} {}
     /// Bit for bit; what the standard leaves to modes and manufacturers is here what this drive makes of it.
-    constexpr explicit command_word(cia402::control_word standard) noexcept : word{standard.raw} {}
+    constexpr explicit command_word(cia402::control_word standard) noexcept { raw = standard.raw; }
 
     [[nodiscard]] constexpr cia402::control_word standard() const noexcept
     {

@@ -26,7 +26,7 @@ struct status_word : word<status_word, std::uint16_t> {
 
     constexpr status_word() noexcept = default;
     /// Bit for bit.
-    constexpr explicit status_word(cia402::status_word standard) noexcept : word{standard.raw} {}
+    constexpr explicit status_word(cia402::status_word standard) noexcept { raw = standard.raw; }
 
     [[nodiscard]] constexpr cia402::status_word standard() const noexcept
     {
