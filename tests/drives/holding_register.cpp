@@ -17,8 +17,8 @@ enum class colour : std::uint16_t { red = 1, green = 2 };
 constexpr register_row row_of(std::uint16_t address, raw_type type, int exponent, unit of, raw_limits limits,
                               drives::access may)
 {
-    return {address, "", "", "", type, static_cast<std::int8_t>(exponent), of, source::manual, limits,
-            no_default, may, source::manual};
+    return {address,        "",     "",         "",  type,          static_cast<std::int8_t>(exponent), of,
+            source::manual, limits, no_default, may, source::manual};
 }
 
 constexpr register_table<5> table{

@@ -14,7 +14,7 @@ constexpr std::array<std::uint16_t, 2> choices{3, 5};
 constexpr register_row row_of(std::uint16_t address, raw_type type, raw_limits limits, drives::access may,
                               std::span<std::uint16_t const> codes = {})
 {
-    return {address,       "", "", "", type, 0, unit::none, source::manual, limits, no_default, may, source::manual, codes};
+    return {address, "", "", "", type, 0, unit::none, source::manual, limits, no_default, may, source::manual, codes};
 }
 
 constexpr register_table<4> table{

@@ -20,8 +20,8 @@ void the_value_must_be_between_min_and_max_times_ten_to_the_exponent();
 /// One register of a drive, by name: reads and writes it as what it is.
 ///
 /// `Table` is the drive's, of `register_row`; `Read` is its function 03, with its limit. `Value` is a quantity or
-/// an integer for numbers, else the register's own word or enumeration, or std::uint16_t for bits without a meaning. An object has no
-/// data: what the table says becomes part of the code that uses it, and the table itself does not.
+/// an integer for numbers, else the register's own word or enumeration, or std::uint16_t for bits without a meaning. An
+/// object has no data: what the table says becomes part of the code that uses it, and the table itself does not.
 template <auto const& Table, std::uint16_t Address, typename Read, typename Value, int Exponent>
 struct basic_holding_register {
     static constexpr register_row row = [] {

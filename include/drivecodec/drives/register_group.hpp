@@ -14,8 +14,8 @@ inline constexpr std::size_t index_of = [] {
     return index;
 }();
 
-/// The 16 bits of a value for each of `Registers`. Errors: those of the first `make_write` that fails, at its place in the
-/// list; `words` is then not to be used.
+/// The 16 bits of a value for each of `Registers`. Errors: those of the first `make_write` that fails, at its place in
+/// the list; `words` is then not to be used.
 template <auto... Registers>
 [[nodiscard]] constexpr error make_words(modbus::register_array<sizeof...(Registers)>& words,
                                          typename decltype(Registers)::value_type... values) noexcept
@@ -69,9 +69,8 @@ struct register_group {
     }
 
     /// Values known only at run time. Errors: those of each register's `make_write`, at its place in the group.
-    [[nodiscard]] static constexpr result<write_request> make_write(typename decltype(First)::value_type first,
-                                                                    typename decltype(Others)::value_type... others)
-        noexcept
+    [[nodiscard]] static constexpr result<write_request>
+    make_write(typename decltype(First)::value_type first, typename decltype(Others)::value_type... others) noexcept
     {
         modbus::register_array<count> words{};
         auto const                    fault = make_words<First, Others...>(words, first, others...);

@@ -117,8 +117,8 @@ template <std::size_t N>
     return {};
 }
 
-/// May these values be written there? Errors: `bad_address`, `read_only`, `out_of_range`; the offset is that of the first
-/// register that refuses, counted in registers.
+/// May these values be written there? Errors: `bad_address`, `read_only`, `out_of_range`; the offset is that of the
+/// first register that refuses, counted in registers.
 template <std::size_t N, typename Values>
 [[nodiscard]] constexpr error check_write(register_table<N> const& table, std::uint16_t first,
                                           Values const& values) noexcept

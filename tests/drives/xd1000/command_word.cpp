@@ -42,8 +42,9 @@ TEST(xd1000_manual, calls_bit_1_switch_on_disabled_where_it_enables_voltage)
 
 TEST(xd1000_manual, says_of_bit_4_that_0_is_free_wheel_but_enables_operation_with_it_at_0)
 {
-    for (auto const given : {command::shutdown, command::switch_on, command::enable_operation, command::disable_operation,
-                             command::disable_voltage, command::quick_stop, command::fault_reset}) {
+    for (auto const given :
+         {command::shutdown, command::switch_on, command::enable_operation, command::disable_operation,
+          command::disable_voltage, command::quick_stop, command::fault_reset}) {
         EXPECT_FALSE(command_word{given}.test(command_word::bit_4));
     }
     VERIFY(apply(command::enable_operation, command_word::of(command_word::bit_4)).raw == 0x001F);  // the user's to set
@@ -62,8 +63,8 @@ TEST(xd1000_manual, has_a_row_for_fault_reset_without_saying_that_the_bit_must_r
 {
     // Any other command lowers it, ready for the next edge; the same word again is no edge.
     auto const raised = command_word{command::fault_reset};
-    for (auto const given : {command::shutdown, command::switch_on, command::enable_operation, command::disable_operation,
-                             command::disable_voltage, command::quick_stop}) {
+    for (auto const given : {command::shutdown, command::switch_on, command::enable_operation,
+                             command::disable_operation, command::disable_voltage, command::quick_stop}) {
         EXPECT_FALSE(apply(given, raised).test(command_word::fault_reset));
     }
 

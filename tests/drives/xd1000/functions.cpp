@@ -14,7 +14,7 @@ TEST(xd1000_functions, are_those_of_the_manual)
 {
     for (unsigned code = 1; code < 0x80; ++code) {
         std::array<std::uint8_t, 2> const pdu{static_cast<std::uint8_t>(code), 0x0E};
-        auto const is_served = xd1000::functions::find(pdu, [](auto) {});
+        auto const                        is_served = xd1000::functions::find(pdu, [](auto) {});
         EXPECT_EQ(is_served, code == 3 or code == 6 or code == 16 or code == 23 or code == 43) << code;
     }
 }

@@ -47,8 +47,8 @@ TEST(xd1000_manual, has_its_fields_under_other_names_than_the_specification)
 {
     auto const reply = rtu::check(2, xd1000::identify, printed);
     ASSERT_TRUE(reply);
-    EXPECT_FALSE(reply->more_follows());                                   // "number of additional frames"
-    EXPECT_EQ(reply->next_object_id(), modbus::device_object_id{});        // "next object"
+    EXPECT_FALSE(reply->more_follows());                                        // "number of additional frames"
+    EXPECT_EQ(reply->next_object_id(), modbus::device_object_id{});             // "next object"
     EXPECT_EQ(reply->conformity(), modbus::device_conformity::regular_stream);  // though all objects are basic ones
     EXPECT_EQ(reply->objects().size(), 3U);
 }
@@ -76,7 +76,7 @@ TEST(xd1000_manual, has_conformity_2_but_only_the_basic_objects_so_the_count_and
 
 TEST(xd1000_manual, leaves_out_the_negative_answer_so_both_forms_are_read)
 {
-    auto       frame    = std::array<std::uint8_t, 6>{0x02, 0xAB, 0x0E, 0x02};
+    auto frame = std::array<std::uint8_t, 6>{0x02, 0xAB, 0x0E, 0x02};
     rtu::write_crc(frame);
     auto const sister = rtu::check(2, xd1000::identify, bytes{frame});
     auto       three  = std::array<std::uint8_t, 5>{0x02, 0xAB, 0x01};
@@ -106,15 +106,15 @@ TEST(xd1000_identification, reads_any_length_and_refuses_a_revision_that_is_none
 
 TEST(xd1000_identification, is_what_the_drive_s_side_answers)
 {
-    static constexpr auto vendor   = "41 42"_hex;
-    static constexpr auto product  = "43"_hex;
-    static constexpr auto revision = "30 32 30 31"_hex;
+    static constexpr auto        vendor   = "41 42"_hex;
+    static constexpr auto        product  = "43"_hex;
+    static constexpr auto        revision = "30 32 30 31"_hex;
     xd1000::identification const own{vendor, product, revision};
-    auto const objects = own.objects();
-    auto const answer  = modbus::read_device_identification::answer(xd1000::identify, xd1000::conformity, objects);
+    auto const                   objects = own.objects();
+    auto const answer = modbus::read_device_identification::answer(xd1000::identify, xd1000::conformity, objects);
     ASSERT_TRUE(answer);
     std::array<std::uint8_t, 64> room{};
-    auto const pdu = encode(*answer, room);
+    auto const                   pdu = encode(*answer, room);
     ASSERT_TRUE(pdu);
     xd1000::identification seen;
     seen.take(*decode<modbus::read_device_identification::response>(bytes{*pdu}));

@@ -81,9 +81,13 @@ TEST(xd1000_registers, make_read_refuses_gaps_and_more_than_63)
         for (auto const count : std::array<std::uint16_t, 7>{0, 1, 2, 4, 5, 63, 64}) {
             auto const made  = make_read(static_cast<std::uint16_t>(first), count);
             auto       exist = true;
-            for (unsigned i = 0; i < count; ++i) { exist = exist and find(static_cast<std::uint16_t>(first + i)) != nullptr; }
+            for (unsigned i = 0; i < count; ++i) {
+                exist = exist and find(static_cast<std::uint16_t>(first + i)) != nullptr;
+            }
             ASSERT_EQ(made.has_value(), count >= 1 and count <= 63 and exist) << first << ' ' << count;
-            if (not made) { ASSERT_EQ(made.error().code(), count < 1 or count > 63 ? errc::bad_quantity : errc::bad_address); }
+            if (not made) {
+                ASSERT_EQ(made.error().code(), count < 1 or count > 63 ? errc::bad_quantity : errc::bad_address);
+            }
         }
     }
     VERIFY(make_read(3104, 3).error() == error{errc::bad_address, 2});

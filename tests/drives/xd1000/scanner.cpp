@@ -94,8 +94,8 @@ TEST(xd1000_scanner_configuration, may_be_of_registers_that_the_manual_does_not_
 TEST(xd1000_scanner_configuration, exchanges_what_is_in_use)
 {
     static constexpr std::array<std::uint16_t, 1> one{0x0006};
-    static constexpr scanner_configuration factory;
-    constexpr auto                         asked = factory.exchange(one);
+    static constexpr scanner_configuration        factory;
+    constexpr auto                                asked = factory.exchange(one);
     VERIFY(asked->read_range.first() == 12741 and asked->read_range.count() == 2);
     VERIFY(asked->write_block.first() == 12761 and asked->write_block.count() == 1);
 
@@ -108,13 +108,13 @@ TEST(xd1000_scanner_configuration, exchanges_what_is_in_use)
 
 TEST(xd1000_scanner_configuration, keeps_the_place_of_a_word_that_is_not_used)
 {
-    constexpr auto                         gap = *scanner_configuration::make({3201, 0, 8604, 0}, as_delivered_out);
+    constexpr auto gap = *scanner_configuration::make({3201, 0, 8604, 0}, as_delivered_out);
     static constexpr std::array<std::uint16_t, 3> answer{0x0237, 0, 1500};
     static constexpr std::array<std::uint16_t, 1> one{0x0006};
     VERIFY(gap.exchange(one)->read_range.count() == 3);
     VERIFY(*gap.input(rfrd, answer) == 1500_rpm);
     VERIFY(*gap.input(eta, answer) == status_word::from_raw(0x0237));
-    VERIFY(gap.input(eti, answer).error().code() == errc::bad_address);     // not mapped
+    VERIFY(gap.input(eti, answer).error().code() == errc::bad_address);               // not mapped
     VERIFY(gap.input(std::uint16_t{0}, answer).error().code() == errc::bad_address);  // no register
     static constexpr std::array<std::uint16_t, 2> too_short{0x0237, 0};
     VERIFY(gap.input(rfrd, too_short).error().code() == errc::bad_address);

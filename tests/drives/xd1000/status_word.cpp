@@ -10,7 +10,10 @@ namespace {
 using namespace drivecodec::xd1000;
 using drivecodec::cia402::state;
 
-constexpr status_word word_of(unsigned raw) { return status_word::from_raw(static_cast<std::uint16_t>(raw)); }
+constexpr status_word word_of(unsigned raw)
+{
+    return status_word::from_raw(static_cast<std::uint16_t>(raw));
+}
 
 // xD1000 manual, "Status word description ETA - 3201": each bit.
 static_assert(status_word::of(status_word::ready_to_switch_on).raw == 0x0001);
@@ -30,16 +33,19 @@ struct printed_row {
     unsigned value;
     state    means;
 };
-constexpr std::array printed{printed_row{0x0050, state::switch_on_disabled}, printed_row{0x0031, state::ready_to_switch_on},
-                             printed_row{0x0033, state::switched_on},        printed_row{0x0037, state::operation_enabled},
-                             printed_row{0x0017, state::quick_stop_active},  printed_row{0x0018, state::fault},
+constexpr std::array printed{printed_row{0x0050, state::switch_on_disabled},
+                             printed_row{0x0031, state::ready_to_switch_on},
+                             printed_row{0x0033, state::switched_on},
+                             printed_row{0x0037, state::operation_enabled},
+                             printed_row{0x0017, state::quick_stop_active},
+                             printed_row{0x0018, state::fault},
                              printed_row{0x0038, state::fault}};
 
 TEST(xd1000_manual, prints_values_as_eta_masked_by_006F_that_this_mask_cannot_give)
 {
     for (auto const& row : printed) {
-        EXPECT_NE(row.value & 0x006FU, row.value);                        // none of them can be compared with
-        EXPECT_EQ(*decode_state(word_of(row.value)), row.means);          // as they stand they decode
+        EXPECT_NE(row.value & 0x006FU, row.value);                         // none of them can be compared with
+        EXPECT_EQ(*decode_state(word_of(row.value)), row.means);           // as they stand they decode
         EXPECT_EQ(*decode_state(word_of(row.value & 0x006F)), row.means);  // and masked, too
     }
 }

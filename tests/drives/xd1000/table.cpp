@@ -70,7 +70,9 @@ TEST(xd1000_table, is_the_manual_s)
         EXPECT_EQ(row.exponent, wanted.exponent) << row.address;
         EXPECT_EQ(row.unit, wanted.of) << row.address;
         EXPECT_EQ(row.factory_setting.from == source::nobody, wanted.factory_setting < 0) << row.address;
-        if (wanted.factory_setting >= 0) { EXPECT_EQ(row.factory_setting.number, wanted.factory_setting) << row.address; }
+        if (wanted.factory_setting >= 0) {
+            EXPECT_EQ(row.factory_setting.number, wanted.factory_setting) << row.address;
+        }
     }
 }
 

@@ -56,10 +56,10 @@ inline constexpr std::array<std::uint16_t, 4> character_format_codes{2, 3, 4, 5}
 /// How a drive is set up; without arguments, as it leaves the factory.
 struct link_settings {
     /// 1 to 247, or 0: OFF. A drive that is off answers nothing, yet carries out broadcasts.
-    std::uint8_t              address  = 0;
-    xd1000::baud_rate         baud     = baud_rate::baud_19200;
-    xd1000::character_format  format   = character_format::format_8e1;
-    quantity<unit::second>    time_out = {100, -1};
+    std::uint8_t             address  = 0;
+    xd1000::baud_rate        baud     = baud_rate::baud_19200;
+    xd1000::character_format format   = character_format::format_8e1;
+    quantity<unit::second>   time_out = {100, -1};
 
     [[nodiscard]] constexpr bool is_off() const noexcept { return address == 0; }
 
@@ -76,8 +76,8 @@ struct link_settings {
     friend constexpr bool operator==(link_settings const&, link_settings const&) noexcept = default;
 };
 
-/// What ends a frame for this drive, in microseconds: 3 characters, less than the 3.5 of the specification. So send with
-/// `timing::inter_frame()` between frames, and take this much as the end of what the drive sends.
+/// What ends a frame for this drive, in microseconds: 3 characters, less than the 3.5 of the specification. So send
+/// with `timing::inter_frame()` between frames, and take this much as the end of what the drive sends.
 [[nodiscard]] constexpr std::uint32_t end_of_frame(modbus::rtu::timing line) noexcept
 {
     return line.frame_time(3);

@@ -32,10 +32,10 @@ inline constexpr holding_register<6004, xd1000::character_format> character_form
 inline constexpr holding_register<6005>                           time_out{};
 
 inline constexpr holding_register<8501, command_word>  cmd{};
-inline constexpr holding_register<8504, std::uint16_t> cmi{};  ///< Extended control word: the manual has no bits.
+inline constexpr holding_register<8504, std::uint16_t> cmi{};   ///< Extended control word: the manual has no bits.
 inline constexpr holding_register<8602>                lfrd{};  ///< Speed reference.
 inline constexpr holding_register<8604>                rfrd{};  ///< Speed feedback.
-inline constexpr holding_register<9001>                acc{};  ///< `acc.with_exponent<-1>` if yours counts tenths.
+inline constexpr holding_register<9001>                acc{};   ///< `acc.with_exponent<-1>` if yours counts tenths.
 
 inline constexpr holding_register<12701, std::uint16_t> nma1{};
 inline constexpr holding_register<12702, std::uint16_t> nma2{};

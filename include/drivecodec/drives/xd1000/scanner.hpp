@@ -4,8 +4,8 @@
 #include <drivecodec/drives/xd1000/registers.hpp>
 
 // The communication scanner: up to four registers written and four read with one request of function 23, wherever their
-// addresses are. xD1000 manual, "Integrated communication scanner". Inputs go from the drive to the client, outputs from
-// the client to the drive.
+// addresses are. xD1000 manual, "Integrated communication scanner". Inputs go from the drive to the client, outputs
+// from the client to the drive.
 
 namespace drivecodec::xd1000 {
 
@@ -84,7 +84,8 @@ public:
 
     /// The 16 bits of the register `address` among the inputs of an answer. Errors, at 0: `bad_address` if it is not
     /// mapped or the answer does not go as far.
-    [[nodiscard]] constexpr result<std::uint16_t> input(std::uint16_t address, modbus::register_view answer) const noexcept
+    [[nodiscard]] constexpr result<std::uint16_t> input(std::uint16_t         address,
+                                                        modbus::register_view answer) const noexcept
     {
         for (std::size_t i = 0; i < scanner_words and i < answer.size(); ++i) {
             if (inputs_[i] == address and address != 0) { return answer[i]; }
