@@ -17,6 +17,7 @@ static_assert(static_cast<int>(mode_of_operation::interpolated_position) == 7);
 static_assert(static_cast<int>(mode_of_operation::cyclic_synchronous_position) == 8);
 static_assert(static_cast<int>(mode_of_operation::cyclic_synchronous_velocity) == 9);
 static_assert(static_cast<int>(mode_of_operation::cyclic_synchronous_torque) == 10);
+static_assert(static_cast<int>(mode_of_operation::cyclic_synchronous_torque_commutation_angle) == 11);
 
 TEST(mode_of_operation, of_a_manufacturer_is_negative)
 {

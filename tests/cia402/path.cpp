@@ -73,6 +73,33 @@ TEST(path, replayed_against_the_drive_s_side_reaches_its_goal_by_the_shortest_wa
     }
 }
 
+/// The same replay as a constant: every way that is said to exist leads from row to row and ends in its goal.
+constexpr bool all_paths_reach_their_goals()
+{
+    for (auto const chosen : all_ways) {
+        for (unsigned f = 0; f < state_count; ++f) {
+            for (unsigned g = 0; g < state_count; ++g) {
+                auto       present = static_cast<state>(f);
+                auto const goal    = static_cast<state>(g);
+                auto const made    = path::between(present, goal, chosen);
+                if (not made) { continue; }
+                auto drive = drive_in(present, {.resumes_from_quick_stop = chosen.resumes_from_quick_stop});
+                for (auto const& row : *made) {
+                    if (not row.from.contains(present)) { return false; }
+                    if (row.to == state::operation_enabled and row.to != goal) { return false; }
+                    present = row.to;
+                    if (row.cause == cause{event::initialised}) { drive.initialised(); }
+                    if (row.cause == cause{event::fault_handled}) { drive.fault_handled(); }
+                    if (not row.cause.is_automatic()) { drive.receive(apply(row.cause.command(), {})); }
+                }
+                if (present != goal or drive.state() != goal) { return false; }
+            }
+        }
+    }
+    return true;
+}
+static_assert(all_paths_reach_their_goals());
+
 constexpr auto way_up = path::between(state::fault_reaction_active, state::operation_enabled);
 
 TEST(path, is_a_constant)

@@ -5,4 +5,5 @@
 
 #include <drivecodec/text/cia402/describe.hpp>
 #include <drivecodec/text/cia402/names.hpp>
+#include <drivecodec/text/cia402/option_code.hpp>
 #include <drivecodec/text/cia402/state_diagram.hpp>

@@ -3,6 +3,7 @@
 
 #include <drivecodec/cia402/controller.hpp>
 #include <drivecodec/cia402/mode_of_operation.hpp>
+#include <drivecodec/cia402/mode_specific.hpp>
 #include <drivecodec/cia402/transition.hpp>
 
 #include <string_view>
@@ -87,5 +88,20 @@ namespace drivecodec::cia402 {
     }
     return {};
 }
+
+namespace homing {
+[[nodiscard]] constexpr std::string_view to_string(progress which) noexcept
+{
+    switch (which) {
+    case progress::in_progress: return "in_progress";
+    case progress::interrupted_or_not_started: return "interrupted_or_not_started";
+    case progress::attained_but_target_not_reached: return "attained_but_target_not_reached";
+    case progress::completed: return "completed";
+    case progress::error_while_moving: return "error_while_moving";
+    case progress::error_at_standstill: return "error_at_standstill";
+    }
+    return {};
+}
+}  // namespace homing
 
 }  // namespace drivecodec::cia402
