@@ -5,6 +5,7 @@
 #include "support/hex.hpp"
 #include "support/modbus_json.hpp"
 #include "support/serial_port.hpp"
+#include "support/xd1000_traffic.hpp"
 
 #include <drivecodec/modbus/rtu/reader.hpp>
 #include <drivecodec/text/modbus.hpp>
@@ -38,6 +39,7 @@ The end of a line is a silence of the bus. A response is read in the light of th
 
     --expect WHAT    request, response or either (default) is what is on the line
     --json           one JSON object a line
+    --drive xd1000   names the registers of this drive and explains their values; not with --json
     --baud N         of the device (default 19200)
     --format 8E1     of the device: data bits, parity (N, E, O), stop bits
     --silence US     what ends a frame on the device, in microseconds; default: 3.5 characters, at least 20 000,
@@ -56,6 +58,7 @@ struct options {
     rtu::expecting               expect = rtu::expecting::either;
     bool                         json   = false;
     bool                         help   = false;
+    bool                         xd1000 = false;
     std::string                  device;
     std::uint32_t                baud   = 19200;
     rtu::character_format        format = rtu::format_8e1;
@@ -92,6 +95,11 @@ options parse(support::arguments words)
             chosen.help = true;
         } else if (word == "--json") {
             chosen.json = true;
+        } else if (name == "--drive") {
+            if (auto const drive = value(); drive != "xd1000") {
+                throw support::usage_error{"'" + drive + "' is no drive that is known here: xd1000"};
+            }
+            chosen.xd1000 = true;
         } else if (name == "--expect") {
             chosen.expect = to_expecting(value());
         } else if (name == "--device") {
@@ -111,6 +119,7 @@ options parse(support::arguments words)
     if (chosen.hex and not chosen.device.empty()) {
         throw support::usage_error{"either hexadecimal or --device, not both"};
     }
+    if (chosen.xd1000 and chosen.json) { throw support::usage_error{"either --drive or --json, not both"}; }
     return chosen;
 }
 
@@ -119,7 +128,8 @@ options parse(support::arguments words)
 /// Feeds a reader and prints what it finds.
 class printer {
 public:
-    explicit printer(options const& chosen) : reader_{chosen.expect}, json_{chosen.json} {}
+    explicit printer(options const& chosen) : reader_{chosen.expect}, json_{chosen.json}, names_registers_{chosen.xd1000}
+    {}
 
     [[nodiscard]] rtu::reader& reader() { return reader_; }
     [[nodiscard]] bool         is_waiting_for_response() const { return not request_.empty(); }
@@ -179,6 +189,9 @@ private:
         } else {
             std::array<char, modbus::max_description_size> buffer;
             std::cout << describe(found, buffer, asked) << '\n';
+            if (auto const meaning = names_registers_ ? drive_.explain(found, asked) : ""; not meaning.empty()) {
+                std::cout << "    " << meaning << '\n';
+            }
         }
         request_.clear();
         if (is_request) {
@@ -196,6 +209,8 @@ private:
     rtu::reader               reader_;
     std::vector<std::uint8_t> request_;  // address and PDU, until its response came
     bool                      json_;
+    bool                      names_registers_;
+    support::xd1000_traffic   drive_;
 };
 
 //=== hexadecimal ===//

@@ -80,4 +80,38 @@ heading "the traffic on that line, decoded"
 printf '\n$ %s\n' "decode <$log"
 decode <"$log"
 
+heading "an xD1000 drive, from standstill to 50 Hz and back"
+line=$scratch/drive
+log=$scratch/drive_traffic
+printf '\n$ %s\n' "xd1000_simulator --address 2 --link $line --log $log &"
+xd1000_simulator --address 2 --link "$line" --log "$log" </dev/null >"$scratch/drive_states" &
+server=$!
+tries=100
+until [ -e "$line" ]; do
+    kill -0 "$server" && [ "$tries" -gt 0 ]
+    tries=$((tries - 1))
+    sleep 0.05
+done
+drive() {
+    show xd1000_control --device "$line" --address 2 "$@"
+}
+drive status
+drive start 50.0
+sleep 4
+drive status
+drive reverse
+drive stop
+show_refusal xd1000_control --device "$line" --address 2 start 50.01
+printf '\n$ %s\n' "kill %1"
+kill "$server"
+wait "$server"
+server=
+printf '\n%s\n' "the states it went through:"
+cat "$scratch/drive_states"
+printf '\n$ %s\n' "decode --drive xd1000 <$log"
+decode --drive xd1000 <"$log"
+
+heading "its state machine"
+show state_diagram
+
 printf '\n%s\n' "everything worked"
