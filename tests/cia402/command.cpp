@@ -12,7 +12,10 @@ constexpr std::array all_commands{command::shutdown,          command::switch_on
                                   command::disable_operation, command::disable_voltage, command::quick_stop,
                                   command::fault_reset};
 
-constexpr control_word word_of(unsigned raw) { return control_word::from_raw(static_cast<std::uint16_t>(raw)); }
+constexpr control_word word_of(unsigned raw)
+{
+    return control_word::from_raw(static_cast<std::uint16_t>(raw));
+}
 
 TEST(command, applied_to_zero_is_the_example_that_every_manual_prints)
 {
@@ -58,6 +61,7 @@ TEST(command, but_the_reset_lowers_the_reset_bit)
 TEST(command, uses_five_bits)
 {
     VERIFY(command_bits == 0x008F);
+    VERIFY(command_count == all_commands.size());
 }
 
 /// By the table of the standard, bit for bit, level by level.

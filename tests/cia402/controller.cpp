@@ -150,6 +150,13 @@ TEST(controller, is_as_patient_as_it_is_told)
     }
 }
 
+TEST(controller, waits_for_ten_words_unless_told_otherwise)
+{
+    controller control;
+    for (int i = 0; i < 10; ++i) { EXPECT_UPDATE(control, no_state, waiting, 0x0000); }
+    EXPECT_UPDATE(control, no_state, refused, 0x0000);
+}
+
 TEST(controller, says_refused_of_a_drive_that_stays_in_a_transient_state)
 {
     for (auto const status : {0x0210U, fault_reaction}) {

@@ -95,6 +95,14 @@ TEST(machine, stays_in_quick_stop_or_leaves_it_as_the_option_code_says)
     EXPECT_EQ(leaves.state(), disabled);
 }
 
+TEST(machine, stays_in_quick_stop_and_does_not_resume_unless_told_otherwise)
+{
+    auto drive = drive_in(quick);
+    drive.quick_stop_finished();
+    drive.receive(word_of(0x000F));
+    EXPECT_EQ(drive.state(), quick);
+}
+
 TEST(machine, resumes_from_quick_stop_only_where_it_stays_there)
 {
     auto drive = drive_in(quick, {.stays_in_quick_stop = false, .resumes_from_quick_stop = true});

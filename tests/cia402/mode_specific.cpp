@@ -34,7 +34,10 @@ static_assert(status_word::of(cyclic_synchronous_position::following_error).raw 
 static_assert(status_word::of(cyclic_synchronous_velocity::follows_command).raw == 0x1000);
 static_assert(status_word::of(cyclic_synchronous_torque::follows_command).raw == 0x1000);
 
-constexpr status_word word_of(unsigned raw) { return status_word::from_raw(static_cast<std::uint16_t>(raw)); }
+constexpr status_word word_of(unsigned raw)
+{
+    return status_word::from_raw(static_cast<std::uint16_t>(raw));
+}
 
 TEST(homing, progress_is_in_bits_13_12_and_10)
 {

@@ -56,7 +56,8 @@ TEST(next, reaches_quick_stop_only_from_operation_enabled)
 
 TEST(next, waits_in_states_that_the_drive_leaves_by_itself_and_resets_a_fault)
 {
-    for (auto const goal : {state::switch_on_disabled, state::ready_to_switch_on, state::switched_on, state::operation_enabled}) {
+    for (auto const goal :
+         {state::switch_on_disabled, state::ready_to_switch_on, state::switched_on, state::operation_enabled}) {
         EXPECT_EQ(next(state::not_ready_to_switch_on, goal), step::wait);
         EXPECT_EQ(next(state::fault_reaction_active, goal), step::wait);
         EXPECT_EQ(next(state::fault, goal), step{command::fault_reset});

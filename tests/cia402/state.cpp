@@ -38,6 +38,16 @@ TEST(state, is_what_the_standard_s_masks_say_for_all_65536_words)
     for (unsigned word = 0; word <= 0xFFFF; ++word) { ASSERT_EQ(decoded(word), state_by_masks(word)) << word; }
 }
 
+/// A host decodes by the one, firmware by the other; here both are run.
+TEST(state, is_the_same_whether_it_is_decoded_fast_or_small)
+{
+    for (unsigned word = 0; word <= 0xFFFF; ++word) {
+        auto const wanted = state_by_masks(word) < 0 ? state_count : static_cast<unsigned>(state_by_masks(word));
+        ASSERT_EQ(detail::find_state_fast(word), wanted) << word;
+        ASSERT_EQ(detail::find_state_small(word), wanted) << word;
+    }
+}
+
 TEST(state, of_104_of_128_words_is_an_error)
 {
     constexpr auto none = [] {
@@ -64,7 +74,9 @@ TEST(state, matches_at_most_one_pattern)
 {
     for (unsigned byte = 0; byte <= 0xFF; ++byte) {
         int matches = 0;
-        for (auto const& row : state_codings) { matches += row.low_byte.matches(static_cast<std::uint8_t>(byte)) ? 1 : 0; }
+        for (auto const& row : state_codings) {
+            matches += row.low_byte.matches(static_cast<std::uint8_t>(byte)) ? 1 : 0;
+        }
         ASSERT_EQ(matches, decoded(byte) < 0 ? 0 : 1) << byte;
     }
 }

@@ -100,7 +100,7 @@ TEST(transition, of_power_on_comes_from_no_state)
 TEST(transition, depends_on_the_quick_stop_option_code_only_out_of_quick_stop_active)
 {
     for (auto const& row : transitions) {
-        auto const wanted = row.number == 16                                ? quick_stop_condition::stays
+        auto const wanted = row.number == 16                                 ? quick_stop_condition::stays
                             : row.cause == cause{event::quick_stop_finished} ? quick_stop_condition::leaves
                                                                              : quick_stop_condition::none;
         EXPECT_EQ(row.condition, wanted) << int{row.number};
@@ -109,7 +109,8 @@ TEST(transition, depends_on_the_quick_stop_option_code_only_out_of_quick_stop_ac
 
 TEST(cause, is_a_command_or_an_event)
 {
-    VERIFY(not cause{command::fault_reset}.is_automatic() and cause{command::fault_reset}.command() == command::fault_reset);
+    VERIFY(not cause{command::fault_reset}.is_automatic()
+           and cause{command::fault_reset}.command() == command::fault_reset);
     VERIFY(cause{event::power_on}.is_automatic() and cause{event::power_on}.event() == event::power_on);
     for (unsigned a = 0; a < cause_count; ++a) {
         for (unsigned b = 0; b < cause_count; ++b) { EXPECT_EQ(cause_number(a) == cause_number(b), a == b); }

@@ -76,6 +76,10 @@ inline constexpr auto state_of_low_bits = [] {
     }
     return states;
 }();
+[[nodiscard]] constexpr unsigned find_state_fast(unsigned word) noexcept
+{
+    return state_of_low_bits[word % state_of_low_bits.size()];
+}
 
 /// Small: the bits that tell states apart, 6, 5 and 3 to 0, side by side; and four bits of state for each, eight in a
 /// word.
@@ -91,6 +95,11 @@ inline constexpr auto packed_states = [] {
     }
     return packed;
 }();
+[[nodiscard]] constexpr unsigned find_state_small(unsigned word) noexcept
+{
+    auto const index = packed_index(word);
+    return packed_states[index / 8] >> index % 8 * 4 & 0xFU;
+}
 
 }  // namespace detail
 
@@ -99,13 +108,7 @@ inline constexpr auto packed_states = [] {
 /// Errors: `bad_value` at 0 for a word that is none, as 104 of the 128 combinations of the low seven bits are.
 [[nodiscard]] constexpr result<state> decode_state(status_word status) noexcept
 {
-    unsigned found = detail::no_state;
-    if constexpr (is_host) {
-        found = detail::state_of_low_bits[status.raw % detail::state_of_low_bits.size()];
-    } else {
-        auto const index = detail::packed_index(status.raw);
-        found            = detail::packed_states[index / 8] >> index % 8 * 4 & 0xFU;
-    }
+    auto const found = is_host ? detail::find_state_fast(status.raw) : detail::find_state_small(status.raw);
     if (found == detail::no_state) { return error{errc::bad_value, 0}; }
     return static_cast<state>(found);
 }
