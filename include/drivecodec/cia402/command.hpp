@@ -20,22 +20,22 @@ enum class command : std::uint8_t {
 };
 inline constexpr std::size_t command_count = 7;
 
-/// The bits that a command sets or clears, and to what.
+/// The bits that a command sets or clears, and to what: all of them are in the low byte.
 struct command_coding {
-    std::uint16_t mask;
-    std::uint16_t value;
+    std::uint8_t mask;
+    std::uint8_t value;
 };
 
 /// By command. Bit 7 is 0 in all but the reset, so that every other command lowers it, ready for the next edge.
 // clang-format off
 inline constexpr std::array<command_coding, command_count> command_codings{{
-    {0x0087, 0x0006},  // shutdown
-    {0x008F, 0x0007},  // switch on
-    {0x008F, 0x000F},  // enable operation
-    {0x008F, 0x0007},  // disable operation
-    {0x0082, 0x0000},  // disable voltage
-    {0x0086, 0x0002},  // quick stop
-    {0x0080, 0x0080},  // fault reset
+    {0x87, 0x06},  // shutdown
+    {0x8F, 0x07},  // switch on
+    {0x8F, 0x0F},  // enable operation
+    {0x8F, 0x07},  // disable operation
+    {0x82, 0x00},  // disable voltage
+    {0x86, 0x02},  // quick stop
+    {0x80, 0x80},  // fault reset
 }};
 // clang-format on
 

@@ -120,10 +120,11 @@ private:
         return progress::waiting;
     }
 
-    /// With 0 in the bits that do not matter to the command: the words that manuals print.
+    /// The command with 0 in the bits that do not matter to it: the words that manuals print.
     constexpr void give(command given) noexcept
     {
-        word_ = apply(given, control_word::from_raw(static_cast<std::uint16_t>(word_.raw & ~command_bits)));
+        auto const bits = command_codings[static_cast<std::size_t>(given)].value;
+        word_.raw       = static_cast<std::uint16_t>((word_.raw & ~command_bits) | bits);
     }
 
     constexpr void start_again() noexcept
