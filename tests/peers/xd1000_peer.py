@@ -14,10 +14,10 @@ import pymodbus.mei_message
 import support
 
 ADDRESS = 2
-ETA, CMD, LFRD, RFRD, ACC = 3201, 8501, 8602, 8604, 9001
+ETA, TIME_OUT, CMD, LFRD, RFRD, ACC = 3201, 6005, 8501, 8602, 8604, 9001
 FIRST_INPUT, FIRST_OUTPUT = 12741, 12761
 STATE = 0x6F
-SWITCH_ON_DISABLED, READY, SWITCHED_ON, OPERATION_ENABLED = 0x40, 0x21, 0x23, 0x27
+SWITCH_ON_DISABLED, READY, SWITCHED_ON, OPERATION_ENABLED, QUICK_STOP_ACTIVE = 0x40, 0x21, 0x23, 0x27, 0x07
 
 
 class Mbpoll:
@@ -72,6 +72,29 @@ def by_hand(line, simulator, checks):
     drive.write(CMD, 0x80)
     checks.equal("an edge again", state(), SWITCH_ON_DISABLED)
     drive.write(CMD, 0x00)
+
+    # Silence for longer than register 6005 says trips the drive; then the time-out as delivered, and its reset.
+    checks.equal("time-out of 0.5 s", drive.write(TIME_OUT, 5), 0)
+    time.sleep(1)
+    checks.equal("tripped", drive.read(ETA) & 0x4F, 0x08)
+    drive.write(TIME_OUT, 100)
+    drive.write(CMD, 0x80)
+    drive.write(CMD, 0x00)
+    checks.equal("reset", state(), SWITCH_ON_DISABLED)
+
+    # Quick stop: the motor is stopped, and only Switch on disabled leads on.
+    for word in (0x06, 0x07, 0x0F):
+        drive.write(CMD, word)
+    support.wait_for(lambda: drive.read(RFRD) > 300, "some speed")
+    drive.write(CMD, 0x010F)
+    support.wait_for(lambda: drive.read(RFRD) == 0, "the halt")
+    checks.equal("halted in Operation enabled", state(), OPERATION_ENABLED)
+    drive.write(CMD, 0x0002)
+    checks.equal("quick stop active", state(), QUICK_STOP_ACTIVE)
+    drive.write(CMD, 0x000F)
+    checks.equal("no way back from there", state(), QUICK_STOP_ACTIVE)
+    drive.write(CMD, 0x0000)
+    checks.equal("but down", state(), SWITCH_ON_DISABLED)
 
 
 def by_scanner(line, checks):
