@@ -4,6 +4,7 @@
 #include "support/exchanges.hpp"
 #include "support/modbus_vectors.hpp"
 
+#include <drivecodec/cia402.hpp>
 #include <drivecodec/modbus.hpp>
 #include <drivecodec/modbus/crc16/byte_table.hpp>
 #include <drivecodec/modbus/crc16/carryless.hpp>
@@ -13,6 +14,7 @@ namespace {
 
 using drivecodec::bytes;
 using drivecodec::same_bytes;
+namespace cia402 = drivecodec::cia402;
 namespace modbus = drivecodec::modbus;
 namespace crc16  = drivecodec::modbus::crc16;
 namespace rtu    = drivecodec::modbus::rtu;
@@ -194,6 +196,69 @@ void check_exchange(exchanges::exchange<Function> const& one) noexcept
     }
 }
 
+//=== CiA 402 ===//
+
+/// The state by the masks of the standard, or -1.
+int state_by_masks(unsigned word) noexcept
+{
+    switch (word & 0x4FU) {
+    case 0x00: return 0;
+    case 0x40: return 1;
+    case 0x0F: return 6;
+    case 0x08: return 7;
+    default: break;
+    }
+    switch (word & 0x6FU) {
+    case 0x21: return 2;
+    case 0x23: return 3;
+    case 0x27: return 4;
+    case 0x07: return 5;
+    default: return -1;
+    }
+}
+
+void check_states() noexcept
+{
+    bool agree = true;
+    for (unsigned word = 0; word <= 0xFFFF; ++word) {
+        auto const found =
+            cia402::decode_state(cia402::status_word::from_raw(static_cast<std::uint16_t>(opaque(word))));
+        agree = agree and (found ? static_cast<int>(*found) : -1) == state_by_masks(word);
+    }
+    check(agree, "decode_state", "is what the standard's masks say");
+}
+
+/// A controller takes a drive from power-on to every goal, over a fault, by the words of the path.
+void check_state_machine() noexcept
+{
+    using cia402::progress;
+    using cia402::state;
+
+    for (unsigned number = 1; number <= 4; ++number) {
+        auto const goal = static_cast<state>(opaque(number));
+
+        cia402::machine drive;
+        drive.fault();
+        auto const whole = cia402::path::between(drive.state(), goal);
+        check(whole.has_value(), "path", "leads out of a fault");
+
+        cia402::controller control;
+        control.set_goal(goal);
+        control.reset_fault();
+        std::size_t words = 0;
+        auto        says  = control.update(drive.status());
+        while (says == progress::waiting) {
+            ++words;
+            drive.receive(control.word());
+            drive.fault_handled();
+            says = control.update(drive.status());
+        }
+        check(says == progress::reached and drive.state() == goal, "controller", "reaches its goal");
+        check(whole and words == whole->size() + 1, "controller",
+              "needs a word for each transition, two for the reset");
+    }
+}
+
 }  // namespace
 
 int main()
@@ -207,6 +272,9 @@ int main()
     });
     check(registers[0] == 0x00FF and registers[1] == 0x00FF, "the registers", "hold what was written last");
     check_noise();
+
+    check_states();
+    check_state_machine();
 
     check_crc<crc16::bitwise>("bitwise");
     check_crc<crc16::nibble>("nibble");

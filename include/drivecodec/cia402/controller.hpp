@@ -75,17 +75,15 @@ public:
         if (present != state::fault_reaction_active) { reset_ = reset::none; }
 
         auto const now = next(present, goal_, settings_.way);
-        if (now == step::unreachable) {
-            if (is_goal(present)) { give(holding_command(present)); }  // else an earlier command would go on
-            return progress::unreachable;
+        if (now == step::wait) { return wait(); }
+        if (now.is_command()) {
+            give(now.command());
+            return wait();
         }
-        if (now == step::reached) {
-            give(holding_command(goal_));
-            start_again();
-            return progress::reached;
-        }
-        if (now.is_command()) { give(now.command()); }
-        return wait();
+        if (is_goal(present)) { give(holding_command(present)); }  // else an earlier command would go on
+        if (now == step::unreachable) { return progress::unreachable; }
+        start_again();
+        return progress::reached;
     }
 
     /// The controlword to send. Before the first statusword it commands nothing: Disable voltage.
@@ -98,18 +96,13 @@ private:
     constexpr progress in_fault() noexcept
     {
         give(command::disable_voltage);  // nothing to be switched on by the reset; lowers its bit
-        switch (reset_) {
-        case reset::none: return progress::faulted;
-        case reset::granted: reset_ = reset::lowered; break;
-        case reset::lowered:
-            give(command::fault_reset);
-            reset_ = reset::raised;
-            break;
-        case reset::raised:
-            if (wait() == progress::waiting) { break; }
+        if (reset_ == reset::raised) {
+            if (wait() == progress::waiting) { return progress::waiting; }
             reset_ = reset::none;
-            return progress::faulted;
         }
+        if (reset_ == reset::none) { return progress::faulted; }
+        if (reset_ == reset::lowered) { give(command::fault_reset); }
+        reset_ = reset_ == reset::granted ? reset::lowered : reset::raised;
         return progress::waiting;
     }
 

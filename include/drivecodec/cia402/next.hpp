@@ -44,13 +44,23 @@ inline constexpr step step::unreachable{no_command::unreachable};
     return goal >= state::switch_on_disabled and goal <= state::quick_stop_active;
 }
 
+namespace detail {
+
+/// By goal, from Switch on disabled. The type is written out: g++ 12 puts a deduced array into RAM.
+inline constexpr std::array<command, 5> holding_commands{
+    {command::disable_voltage, command::shutdown, command::switch_on, command::enable_operation, command::quick_stop}};
+
+/// In these a drive goes on by itself.
+inline constexpr state_set transient_states{state::not_ready_to_switch_on, state::fault_reaction_active};
+
+}  // namespace detail
+
 /// The command that leads down to `goal`, and that a drive in it is to be given to stay there. Precondition:
 /// is_goal(goal).
 [[nodiscard]] constexpr command holding_command(state goal) noexcept
 {
-    constexpr std::array holding{command::disable_voltage, command::shutdown, command::switch_on,
-                                 command::enable_operation, command::quick_stop};
-    return holding[static_cast<std::size_t>(goal) - static_cast<std::size_t>(state::switch_on_disabled)];
+    return detail::holding_commands[static_cast<std::size_t>(goal)
+                                    - static_cast<std::size_t>(state::switch_on_disabled)];
 }
 
 /// The next step on the shortest way from `from` to `goal`, counted in transitions.
@@ -66,21 +76,18 @@ inline constexpr step step::unreachable{no_command::unreachable};
     if (goal == state::quick_stop_active) {
         return from == state::operation_enabled ? step{command::quick_stop} : step::unreachable;
     }
-    switch (from) {
-    case state::not_ready_to_switch_on:
-    case state::fault_reaction_active: return step::wait;
-    case state::fault: return command::fault_reset;
-    case state::quick_stop_active:
-        return goal == state::operation_enabled and chosen.resumes_from_quick_stop ? command::enable_operation
-                                                                                   : command::disable_voltage;
-    case state::operation_enabled:
-        return goal == state::switched_on ? command::disable_operation : holding_command(goal);
-    default: break;
+    if (detail::transient_states.contains(from)) { return step::wait; }
+    if (from == state::fault) { return command::fault_reset; }
+    if (from == state::operation_enabled and goal == state::switched_on) { return command::disable_operation; }
+
+    // In the order of the enumeration: down to any state at once, upwards one at a time.
+    auto to = goal;
+    if (from == state::quick_stop_active) {
+        if (goal != state::operation_enabled or not chosen.resumes_from_quick_stop) { to = state::switch_on_disabled; }
+    } else if (goal > from and not(chosen.straight_to_operation_enabled and from == state::ready_to_switch_on)) {
+        to = static_cast<state>(static_cast<unsigned>(from) + 1);
     }
-    // Upwards one state at a time, in the order of the enumeration; down to any at once.
-    if (goal < from) { return holding_command(goal); }
-    auto const above = static_cast<state>(static_cast<unsigned>(from) + 1);
-    return holding_command(chosen.straight_to_operation_enabled and from == state::ready_to_switch_on ? goal : above);
+    return holding_command(to);
 }
 
 }  // namespace drivecodec::cia402

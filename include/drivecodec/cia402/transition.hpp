@@ -82,8 +82,10 @@ struct transition {
 ///
 /// Enable operation causes 3 too, and 4 follows at once: 000Fh leads straight from Ready to switch on to Operation
 /// enabled.
+///
+/// The array's type is written out: g++ 12 puts a deduced one into RAM.
 // clang-format off
-inline constexpr std::array transitions{
+inline constexpr std::array<transition, 21> transitions{{
     transition{0,  {},                            state::not_ready_to_switch_on, event::power_on},
     transition{1,  state::not_ready_to_switch_on, state::switch_on_disabled,     event::initialised},
     transition{2,  state::switch_on_disabled,     state::ready_to_switch_on,     command::shutdown},
@@ -109,7 +111,7 @@ inline constexpr std::array transitions{
     transition{15, state::fault,                  state::switch_on_disabled,     command::fault_reset},
     transition{16, state::quick_stop_active,      state::operation_enabled,      command::enable_operation,
                quick_stop_condition::stays},
-};
+}};
 // clang-format on
 
 /// The transition out of `from` that `why` causes, or nullptr if it causes none.
