@@ -118,6 +118,6 @@ cat "$work/judged" >>"$lines"
 
 awk -F'|' '{ printf "%-72s %12s   %-20s %s\n", $1, $2, $3, $4; missed += $4 == "MISSED" }
     END {
-        if (NR < 33) { print "figures are missing"; exit 1 }
+        if (NR < 36) { print "figures are missing"; exit 1 }
         if (missed) { print missed " missed"; exit 1 }
     }' "$lines"

@@ -157,6 +157,15 @@ TEST(controller, waits_for_ten_words_unless_told_otherwise)
     EXPECT_UPDATE(control, no_state, refused, 0x0000);
 }
 
+TEST(controller, takes_any_first_state_for_a_sign_of_life)
+{
+    for (auto const status : {0x0210U, ready, switched_on, operation_enabled, quick_stop_active, fault_reaction}) {
+        controller control{{.patience = 0}};
+        EXPECT_EQ(control.update(word_of(status)), progress::waiting) << status;
+        EXPECT_EQ(control.update(word_of(status)), progress::refused) << status;
+    }
+}
+
 TEST(controller, says_refused_of_a_drive_that_stays_in_a_transient_state)
 {
     for (auto const status : {0x0210U, fault_reaction}) {
