@@ -11,6 +11,7 @@
 #include <drivecodec/core/decimal.hpp>
 #include <drivecodec/text/cia402.hpp>
 #include <drivecodec/text/modbus.hpp>
+#include <drivecodec/text/xd1000.hpp>
 #include <drivecodec/xd1000.hpp>
 
 #include <algorithm>
@@ -285,27 +286,14 @@ int reset(drive& target, options const&, support::arguments&)
 /// All that is shown of the drive.
 std::string status_line(drive& target)
 {
-    using xd1000::status_word;
-    static constexpr struct {
-        drivecodec::flag<status_word> flag;
-        std::string_view              text;
-    } flags[] = {{status_word::voltage_enabled, "voltage enabled"},
-                 {status_word::remote, "remote"},
-                 {status_word::reference_reached, "reference reached"},
-                 {status_word::reference_exceeded, "reference exceeded"},
-                 {status_word::stopped_by_stop_key, "stopped by the stop key"}};
-
     auto const status    = target.read(xd1000::eta);
     auto const reference = target.read(xd1000::lfrd);
     auto const speed     = target.read(xd1000::rfrd);
 
-    auto line = state_of(status);
-    for (auto const& row : flags) {
-        if (status.test(row.flag)) { line.append(", ").append(row.text); }
-    }
-    line += status.get(status_word::direction) == xd1000::direction::forward ? ", forward" : ", reverse";
-    if (status.is_local()) { line += ", local"; }
-    return line + "; reference " + std::to_string(reference.number) + " rpm, speed " + std::to_string(speed.number)
+    std::array<char, 200>   room{};
+    drivecodec::text_writer text{room};
+    write_text(text, status);
+    return std::string{text.view()} + "; reference " + std::to_string(reference.number) + " rpm, speed " + std::to_string(speed.number)
            + " rpm";
 }
 
