@@ -75,6 +75,12 @@ constexpr void copy_bytes(bytes from, mutable_bytes to) noexcept
     return true;
 }
 
+/// The front of `of`, no longer than `most`.
+[[nodiscard]] constexpr mutable_bytes first_at_most(mutable_bytes of, std::size_t most) noexcept
+{
+    return of.first(of.size() < most ? of.size() : most);
+}
+
 /// A container or span of `Value` that a `View` may borrow; not a `View` itself, nor what is made of one.
 template <typename Container, typename Value, typename View>
 concept borrowable_by =

@@ -11,17 +11,18 @@ enum class errc : std::uint8_t {
     none = 0,
     truncated,             ///< The message is longer than the bytes given; `offset` is the least total length it needs.
     trailing_bytes,        ///< The message ends at `offset`, before the bytes do.
+    bad_start,             ///< The message does not begin with its start character.
     bad_checksum,          ///< CRC or BCC does not match the bytes it covers.
     bad_length,            ///< A length or byte count contradicts the other fields, or the bytes that follow it.
     bad_quantity,          ///< A quantity is outside the limits of its function.
     bad_value,             ///< A field holds a value that the protocol does not allow.
     bad_address,           ///< An address does not exist, or the range that starts there passes the last one.
-    reserved_address,      ///< A server address that the protocol reserves: 248 to 255.
+    reserved_address,      ///< An address that the protocol reserves: 248 to 255 in Modbus, 0 and 127 in FC.
     unexpected_function,   ///< A well-formed message, but not the one asked for.
     unsupported_function,  ///< A function (or its sub-function, or MEI type) that is not in the set.
-    unexpected_server,     ///< A reply of another server than the one asked.
+    unexpected_server,     ///< A reply of another server, or slave, than the one asked.
     unexpected_reply,      ///< A reply that does not answer this request: the field at `offset` differs.
-    exception_reply,       ///< The server answered with an exception: `offset` is its code.
+    exception_reply,       ///< The server refused: `offset` is the exception code, or the error number of FC.
     no_reply,              ///< To this request there is no reply: a broadcast, or a command to be silent.
     no_space,              ///< The output buffer is too small; nothing was written. `offset` is the size needed.
     read_only,             ///< A register or parameter that cannot be written.

@@ -15,6 +15,7 @@ namespace drivecodec {
     case errc::none: return "none";
     case errc::truncated: return "truncated";
     case errc::trailing_bytes: return "trailing_bytes";
+    case errc::bad_start: return "bad_start";
     case errc::bad_checksum: return "bad_checksum";
     case errc::bad_length: return "bad_length";
     case errc::bad_quantity: return "bad_quantity";
@@ -43,17 +44,18 @@ namespace drivecodec {
     case errc::none: return "nothing is wrong";
     case errc::truncated: return "the message is longer than the bytes given";
     case errc::trailing_bytes: return "the message ends before the bytes do";
+    case errc::bad_start: return "the message does not begin with its start character";
     case errc::bad_checksum: return "the checksum does not match the bytes it covers";
     case errc::bad_length: return "a length or byte count contradicts the other fields or the bytes that follow";
     case errc::bad_quantity: return "a quantity is outside the limits of its function";
     case errc::bad_value: return "a field holds a value that the protocol does not allow";
     case errc::bad_address: return "an address does not exist, or the range that starts there passes the last one";
-    case errc::reserved_address: return "the protocol reserves this server address";
+    case errc::reserved_address: return "the protocol reserves this address";
     case errc::unexpected_function: return "a well-formed message, but not the one asked for";
     case errc::unsupported_function: return "the function, sub-function or MEI type is not in the set";
     case errc::unexpected_server: return "the reply of another server than the one asked";
     case errc::unexpected_reply: return "the reply does not answer this request";
-    case errc::exception_reply: return "the server answered with an exception";
+    case errc::exception_reply: return "the server refused, with an exception or an error number";
     case errc::no_reply: return "to this request there is no reply";
     case errc::no_space: return "the output buffer is too small";
     case errc::read_only: return "the register or parameter cannot be written";

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/core/decimal.hpp>
+#include <drivecodec/core/rounding.hpp>
+#include <drivecodec/core/table.hpp>
+
+#include <array>
+
+namespace drivecodec::fc {
+
+/// What a transferred number is to be multiplied with: `number` x 10^`exponent` / `divisor`. VLT 6000 manual,
+/// "Conversion table".
+struct conversion_factor {
+    std::int8_t  index;
+    std::int8_t  exponent;
+    std::int32_t number      = 1;
+    std::int32_t divisor     = 1;
+    bool         is_disputed = false;  ///< Editions of the same maker's guides print other factors for this index.
+
+    /// The value that was transferred as `number`. Errors, at 0: `inexact` where the divisor leaves a rest,
+    /// `out_of_range` where 32 bits do not hold it.
+    [[nodiscard]] constexpr result<decimal> physical(std::int32_t transferred) const noexcept
+    {
+        auto const product = std::int64_t{transferred} * number;
+        if (product % divisor != 0) { return error{errc::inexact, 0}; }
+        auto const quotient = product / divisor;
+        if (quotient < std::numeric_limits<std::int32_t>::min()
+            or quotient > std::numeric_limits<std::int32_t>::max()) {
+            return error{errc::out_of_range, 0};
+        }
+        return decimal{static_cast<std::int32_t>(quotient), exponent};
+    }
+
+    /// The number to transfer. Errors, at 0: `inexact` where it has no digits for the value, `out_of_range` where 32
+    /// bits do not hold it.
+    [[nodiscard]] constexpr result<std::int32_t> transferred(decimal value) const noexcept
+    {
+        auto const scaled = value.scaled_to(exponent);
+        if (not scaled) { return scaled.error(); }
+        auto const product = std::int64_t{*scaled} * divisor;
+        if (product % number != 0) { return error{errc::inexact, 0}; }
+        auto const quotient = product / number;
+        if (quotient < std::numeric_limits<std::int32_t>::min()
+            or quotient > std::numeric_limits<std::int32_t>::max()) {
+            return error{errc::out_of_range, 0};
+        }
+        return static_cast<std::int32_t>(quotient);
+    }
+
+    friend constexpr bool operator==(conversion_factor, conversion_factor) noexcept = default;
+};
+
+/// All indexes: from -4 to 2 and 74 the VLT 6000 has, the others are of newer FC guides, which count times with them.
+///
+/// 74 is 3.6 in this manual; other editions print 0.1, and 3600, which is what makes hours of seconds. Nobody can know:
+/// ask the drive's own manual, and use a factor of one's own.
+inline constexpr std::array<conversion_factor, 20> conversion_table{{
+    {.index = -7, .exponent = -7},
+    {.index = -6, .exponent = -6},
+    {.index = -5, .exponent = -5},
+    {.index = -4, .exponent = -4},
+    {.index = -3, .exponent = -3},
+    {.index = -2, .exponent = -2},
+    {.index = -1, .exponent = -1},
+    {.index = 0, .exponent = 0},
+    {.index = 1, .exponent = 1},
+    {.index = 2, .exponent = 2},
+    {.index = 3, .exponent = 3},
+    {.index = 4, .exponent = 4},
+    {.index = 5, .exponent = 5},
+    {.index = 6, .exponent = 6},
+    {.index = 67, .exponent = 0, .divisor = 60},
+    {.index = 70, .exponent = 0, .number = 60},
+    {.index = 74, .exponent = -1, .number = 36, .is_disputed = true},
+    {.index = 75, .exponent = 0, .number = 3'600'000},
+    {.index = 77, .exponent = 0, .number = 86'400},
+    {.index = 100, .exponent = 0},
+}};
+static_assert(strictly_ascending(conversion_table, &conversion_factor::index));
+
+/// Errors: `bad_value` at 0 for an index that no guide has.
+[[nodiscard]] constexpr result<conversion_factor> conversion(std::int8_t index) noexcept
+{
+    auto const* row = find_row(conversion_table, &conversion_factor::index, index);
+    if (row == nullptr) { return error{errc::bad_value, 0}; }
+    return *row;
+}
+
+}  // namespace drivecodec::fc

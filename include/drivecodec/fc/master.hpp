@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/fc/parameter.hpp>
+#include <drivecodec/fc/telegram.hpp>
+#include <drivecodec/fc/text.hpp>
+
+// The master's side of the line: is this the response to that request?
+
+namespace drivecodec::fc {
+
+/// Will a slave answer? None answers a broadcast.
+[[nodiscard]] constexpr bool expects_reply(address to) noexcept
+{
+    return not to.is_broadcast();
+}
+
+namespace detail {
+
+//=== which response a request has ===//
+
+template <typename Layout>
+basic_process_status<Layout> response_of(basic_process_command<Layout> const&);
+template <typename Layout>
+basic_parameter_response<Layout> response_of(basic_parameter_request<Layout> const&);
+template <typename Layout, typename Text>
+basic_text_response<Layout> response_of(basic_text_data<Layout, basic_process_command<Layout>, Text> const&);
+
+//=== does it answer? What is wrong is at an offset in the data ===//
+
+/// Is this AK a reply to that? A word written is answered as a word; what is read may have either width.
+[[nodiscard]] constexpr bool answers(ak_reply reply, ak_command command) noexcept
+{
+    switch (command) {
+    case ak_command::no_command: return reply == ak_reply::no_reply;
+    case ak_command::read_value: return reply == ak_reply::word or reply == ak_reply::double_word;
+    case ak_command::write_word:
+    case ak_command::write_word_to_eeprom: return reply == ak_reply::word;
+    case ak_command::write_double_word:
+    case ak_command::write_double_word_to_eeprom: return reply == ak_reply::double_word;
+    case ak_command::read_description: return reply == ak_reply::description;
+    case ak_command::text: return reply == ak_reply::text;
+    }
+    return reply != ak_reply::text;  // nobody knows what answers a command without a meaning
+}
+
+/// One function for all requests with a PKE, for the sake of firmware. `number_bits` is what belongs to the number.
+[[nodiscard]] constexpr error match_pke(pke asked, unsigned number_bits, bytes data) noexcept
+{
+    namespace at       = layout::parameter;
+    auto const given   = pke::from_raw(at::pke.load(data));
+    auto const command = asked.get(pke::command);
+    auto const reply   = given.get(pke::reply);
+    if (command != ak_command::no_command and ((given.raw ^ asked.raw) & number_bits) != 0) {
+        return {errc::unexpected_reply, at::pke.begin};
+    }
+    if (reply == ak_reply::cannot_be_executed and data.size() >= at::process) {
+        return reply_error{parameter_error{at::pwe_low.load(data)}};
+    }
+    return answers(reply, command) ? error{} : error{errc::unexpected_reply, at::pke.begin};
+}
+
+template <typename Layout>
+[[nodiscard]] constexpr error match(basic_process_command<Layout> const&, bytes) noexcept
+{
+    return {};
+}
+
+template <typename Layout>
+[[nodiscard]] constexpr error match(basic_parameter_request<Layout> const& asked, bytes data) noexcept
+{
+    namespace at     = layout::parameter;
+    auto const fault = match_pke(asked.pke, basic_parameter_number<Layout>::last, data);
+    if (not fault.ok()) { return fault; }
+    // The manual does not say that IND is repeated; but the value of another element answers another request.
+    auto const index = ind::from_raw(at::ind.load(data)).get(ind::array_index);
+    if (index != 0 and index != asked.array_index()) { return {errc::unexpected_reply, at::ind.begin}; }
+    return {};
+}
+
+template <typename Layout, typename Text>
+[[nodiscard]] constexpr error match(basic_text_data<Layout, basic_process_command<Layout>, Text> const& asked,
+                                    bytes                                                               data) noexcept
+{
+    return match_pke(asked.pke, basic_parameter_number<Layout>::last, data);
+}
+
+/// What is wrong with the telegram of a response, up to its data.
+[[nodiscard]] constexpr error check_response(address from, bytes wire, std::size_t least, std::size_t most) noexcept
+{
+    auto const fault = check_telegram(wire, least, most);
+    if (not fault.ok()) { return fault; }
+    auto const adr = layout::telegram::adr;
+    return adr.load(wire) == from.byte() ? error{} : error{errc::unexpected_server, adr.begin};
+}
+
+}  // namespace detail
+
+/// A request: `process_command`, `parameter_request`, or a text request.
+template <typename T>
+concept request = writable<T> and requires(T const& asked) { detail::response_of(asked); };
+
+/// The response to a request, or why there is none.
+template <request Request>
+using reply = result<decltype(detail::response_of(std::declval<Request const&>())), reply_error>;
+
+/// The response in the telegram `wire`, if it is the answer of the slave `to` to `asked`; a stale or foreign one is not.
+///
+/// Errors, with offsets in `wire`: `no_reply` to a broadcast; those of `check_telegram`; `unexpected_server` at 2 for
+/// another ADR: a slave sends it back unchanged; `unexpected_reply` for another parameter, element or kind of reply;
+/// `exception_reply` with the slave's error number. A text points into `wire`.
+template <request Request>
+[[nodiscard]] constexpr reply<Request> check(address to, Request const& asked, bytes wire) noexcept
+{
+    using response = typename reply<Request>::value_type;
+    if (not expects_reply(to)) { return reply_error{error{errc::no_reply, 0}}; }
+    auto fault = detail::check_response(to, wire, min_data_size<response>(), max_data_size_of<response>());
+    if (not fault.ok()) { return reply_error{fault}; }
+    auto const data = data_of(wire);
+    fault           = detail::match(asked, data).moved_by(layout::telegram::data);
+    if (not fault.ok()) { return reply_error{fault}; }
+    return response::read(data);
+}
+
+/// Refused: a text that borrows its bytes would outlive them. Name the buffer first.
+template <request Request, owning_temporary Temporary>
+    requires(not fixed_size<typename reply<Request>::value_type>)
+reply<Request> check(address, Request const&, Temporary&&) = delete;
+
+}  // namespace drivecodec::fc

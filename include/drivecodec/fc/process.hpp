@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/core/be16.hpp>
+#include <drivecodec/core/codec.hpp>
+#include <drivecodec/fc/data_layout.hpp>
+#include <drivecodec/fc/main_value.hpp>
+
+#include <array>
+#include <concepts>
+
+// The process block, which every telegram has: PCD1 PCD2. VLT 6000 manual, "Process word".
+
+namespace drivecodec::fc {
+
+/// Bit 10 of a control word: 0 has the slave ignore it. VLT 6000 manual, "Control word as per FC protocol".
+inline constexpr std::uint16_t data_valid_bit = 0x0400;
+
+namespace detail {
+
+/// The words of PCD, as both directions have them.
+template <typename Layout>
+class process_block {
+public:
+    [[nodiscard]] static constexpr std::size_t wire_size() noexcept { return Layout::process_size; }
+
+    [[nodiscard]] constexpr std::uint16_t pcd(std::size_t index) const noexcept { return words_[index]; }
+    [[nodiscard]] constexpr std::span<std::uint16_t const, Layout::process_words> pcd() const noexcept
+    {
+        return words_;
+    }
+
+    constexpr void write(mutable_bytes out) const noexcept { store_be16(words_, out); }
+
+    [[nodiscard]] static constexpr error check(bytes data) noexcept
+    {
+        if (data.size() < wire_size()) { return {errc::truncated, wire_size()}; }
+        if (data.size() > wire_size()) { return {errc::trailing_bytes, wire_size()}; }
+        return {};
+    }
+
+    friend constexpr bool operator==(process_block const&, process_block const&) noexcept = default;
+
+protected:
+    constexpr process_block() noexcept = default;
+
+    template <typename... More>
+    constexpr process_block(std::uint16_t first, std::uint16_t second, More... more) noexcept
+        : words_{first, second, static_cast<std::uint16_t>(more)...}
+    {}
+
+    constexpr void load(bytes data) noexcept { load_be16(data, words_); }
+
+private:
+    std::array<std::uint16_t, Layout::process_words> words_{};
+};
+
+/// As many words as the layout has beyond the two that all have.
+template <typename Layout, typename... More>
+concept further_words =
+    2 + sizeof...(More) == Layout::process_words and (std::convertible_to<More, std::uint16_t> and ...);
+
+}  // namespace detail
+
+/// A control or status word of a drive: an object that has its 16 bits as `raw`.
+template <typename T>
+concept drive_word = requires(T const& given) {
+    { given.raw } -> std::same_as<std::uint16_t const&>;
+};
+
+/// Says that the process data of a telegram is to be ignored: PCD is 0, and so is "data valid".
+struct data_not_valid_t {};
+inline constexpr data_not_valid_t data_not_valid{};
+
+/// PCD of a master: control word and reference, further words if the layout has them.
+///
+/// Made by `data_valid` or from `data_not_valid`: one of them has to be said, since a control word without bit 10 is
+/// ignored, and one with it starts and stops a motor.
+template <typename Layout>
+class basic_process_command : public detail::process_block<Layout> {
+    using base = detail::process_block<Layout>;
+
+public:
+    constexpr basic_process_command(data_not_valid_t) noexcept {}
+
+    template <typename... More>
+        requires detail::further_words<Layout, More...>
+    [[nodiscard]] static constexpr basic_process_command valid(std::uint16_t control_word, fc::reference wanted,
+                                                               More... more) noexcept
+    {
+        return {checked{}, static_cast<std::uint16_t>(control_word | data_valid_bit), wanted.raw(), more...};
+    }
+
+    /// Bit 10: the slave obeys it.
+    [[nodiscard]] constexpr bool is_data_valid() const noexcept { return (control_word() & data_valid_bit) != 0; }
+    [[nodiscard]] constexpr std::uint16_t control_word() const noexcept { return this->pcd(0); }
+    [[nodiscard]] constexpr fc::reference reference() const noexcept { return fc::reference::from_raw(this->pcd(1)); }
+
+    [[nodiscard]] static constexpr basic_process_command read(bytes data) noexcept
+    {
+        basic_process_command made{data_not_valid};
+        made.load(data);
+        return made;
+    }
+
+private:
+    struct checked {};
+    template <typename... Words>
+    constexpr basic_process_command(checked, Words... words) noexcept : base{words...}
+    {}
+};
+using process_command = basic_process_command<vlt_layout>;
+
+/// Process data that the slave obeys: bit 10 is set, whatever the word says. Words beyond the second are the layout's.
+template <typename Layout = vlt_layout, typename... More>
+    requires detail::further_words<Layout, More...>
+[[nodiscard]] constexpr basic_process_command<Layout> data_valid(std::uint16_t control_word, reference wanted,
+                                                                 More... more) noexcept
+{
+    return basic_process_command<Layout>::valid(control_word, wanted, more...);
+}
+template <typename Layout = vlt_layout, drive_word Word, typename... More>
+    requires detail::further_words<Layout, More...>
+[[nodiscard]] constexpr basic_process_command<Layout> data_valid(Word const& control_word, reference wanted,
+                                                                 More... more) noexcept
+{
+    return basic_process_command<Layout>::valid(control_word.raw, wanted, more...);
+}
+
+/// PCD of a slave: status word and output frequency, further words if the layout has them.
+template <typename Layout>
+class basic_process_status : public detail::process_block<Layout> {
+    using base = detail::process_block<Layout>;
+
+public:
+    constexpr basic_process_status() noexcept = default;
+
+    template <typename... More>
+        requires detail::further_words<Layout, More...>
+    constexpr basic_process_status(std::uint16_t status_word, fc::output_frequency frequency, More... more) noexcept
+        : base{status_word, frequency.raw(), more...}
+    {}
+    template <drive_word Word, typename... More>
+        requires detail::further_words<Layout, More...>
+    constexpr basic_process_status(Word const& status_word, fc::output_frequency frequency, More... more) noexcept
+        : basic_process_status{status_word.raw, frequency, more...}
+    {}
+
+    [[nodiscard]] constexpr std::uint16_t        status_word() const noexcept { return this->pcd(0); }
+    [[nodiscard]] constexpr fc::output_frequency output_frequency() const noexcept
+    {
+        return fc::output_frequency::from_raw(this->pcd(1));
+    }
+
+    [[nodiscard]] static constexpr basic_process_status read(bytes data) noexcept
+    {
+        basic_process_status made{};
+        made.load(data);
+        return made;
+    }
+};
+using process_status = basic_process_status<vlt_layout>;
+
+}  // namespace drivecodec::fc

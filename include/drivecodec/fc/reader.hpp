@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <drivecodec/core/deframer.hpp>
+#include <drivecodec/fc/framing.hpp>
+
+namespace drivecodec::fc {
+
+/// Finds every valid telegram in a noisy line; see `deframer` for how to feed it and what comes out.
+///
+/// A silence is `timing::pause()`. A BCC has eight bits: of 256 runs of noise that begin like a telegram, one ends like
+/// one. Slaves act on aligned telegrams only, and masters check what answers them.
+template <typename Layout = vlt_layout, std::size_t Capacity = max_telegram_size + 64>
+class basic_reader : public deframer<framing<Layout>, Capacity> {
+    using base = deframer<framing<Layout>, Capacity>;
+
+public:
+    /// Listens to everything.
+    constexpr basic_reader() noexcept = default;
+    constexpr explicit basic_reader(expecting what) noexcept : base{framing<Layout>{what}} {}
+
+    /// Of the slave with this address, on a line that it may share with others: what has its number is a request.
+    constexpr basic_reader(expecting what, address own_address) noexcept : base{framing<Layout>{what, own_address}} {}
+
+    /// Nobody answered the last request: the next telegram is not its response.
+    constexpr void request_timed_out() noexcept
+    {
+        this->scheme().request_timed_out();
+        this->reconsider();
+    }
+};
+
+using reader = basic_reader<>;
+
+}  // namespace drivecodec::fc
