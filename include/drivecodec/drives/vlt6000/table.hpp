@@ -106,8 +106,8 @@ inline constexpr std::array<std::uint16_t, 6> choices_of_bus_time_out{0, 1, 2, 3
 /// the numbers outside of that group, wherever they occur.
 ///
 /// Data types, widths and conversion indexes are in the guide's section on factory settings, which this is not from:
-/// they are known only where an example or a sentence of the chapter shows them. Alarm, warning and extended status words have 32
-/// bits, which only a double word holds; status and control word would fit into either.
+/// they are known only where an example or a sentence of the chapter shows them. Alarm, warning and extended status word
+/// have 32 bits, which only a double word holds; status and control word would fit into either.
 ///
 /// Worth a second look: the read-out of the control word is printed with 2 ms among neighbours with 20. The address has
 /// its limits under the FC protocol; for the others see `address_limits_of`. Bus feedbacks are printed in hexadecimal
