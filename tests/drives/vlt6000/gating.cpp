@@ -1,3 +1,4 @@
+#include <drivecodec/drives/vlt6000/control_word.hpp>
 #include <drivecodec/drives/vlt6000/gating.hpp>
 
 #include "support/verify.hpp"
@@ -131,13 +132,14 @@ TEST(vlt6000_manual, prints_clockwise_where_serial_communication_alone_reverses)
     VERIFY(holds(gating::serial_communication, mended, is_started));
 }
 
-TEST(vlt6000_manual, says_bit_03_where_it_means_the_dc_brake_s_bit_02)
+TEST(vlt6000_manual, says_bit_03_of_the_dc_brake_where_it_means_bit_02)
 {
-    // Of one control word that coasts without braking, and of one that brakes without coasting.
-    constexpr bool at_0 = false;
-    constexpr bool at_1 = true;
-    VERIFY(is_coasting(gating::logic_or, {.terminal = true, .bus = at_0}));
-    VERIFY(not is_dc_braking(gating::logic_or, {.terminal = true, .bus = at_1}));
+    constexpr auto brakes = control_word::from_raw(0x047B);  // bit 02 at 0
+    constexpr auto coasts = control_word::from_raw(0x0477);  // bit 03 at 0
+    VERIFY(is_dc_braking(gating::logic_or, {.terminal = true, .bus = brakes.test(control_word::no_dc_brake)}));
+    VERIFY(not is_dc_braking(gating::logic_or, {.terminal = true, .bus = coasts.test(control_word::no_dc_brake)}));
+    VERIFY(not is_coasting(gating::logic_or, {.terminal = true, .bus = brakes.test(control_word::no_coasting_stop)}));
+    VERIFY(is_coasting(gating::logic_or, {.terminal = true, .bus = coasts.test(control_word::no_coasting_stop)}));
 }
 
 TEST(vlt6000_gating, hears_only_the_source_that_it_names)
