@@ -49,12 +49,12 @@ inline constexpr auto write_501_response = "02 0E 01 71 F5 00 00 00 00 00 82 0F 
 
 //=== a double word, 00012345h, into an element of an array in EEPROM ===//
 
-inline constexpr auto write_291_1          = "02 0E 01 D1 23 00 01 00 01 23 45 00 00 00 00 98"_hex;
-inline constexpr auto write_291_1_response = "02 0E 01 21 23 00 01 00 01 23 45 0F 03 20 00 44"_hex;
+inline constexpr auto write_291_1          = "02 0E 01 D1 23 00 01 00 01 23 45 00 00 00 00 99"_hex;
+inline constexpr auto write_291_1_response = "02 0E 01 21 23 00 01 00 01 23 45 0F 03 20 00 45"_hex;
 
 using telegram = std::span<std::uint8_t const>;
 
-inline constexpr std::array<telegram, 19> all_fc{
+inline constexpr std::array<telegram, 20> all_fc{
     read_206,
     read_206_response,
     write_202,
