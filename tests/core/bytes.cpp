@@ -85,6 +85,21 @@ TEST(saturate_16, keeps_too_many_too_many)
     VERIFY(saturate_16(0x1'0001) == 0xFFFF);
 }
 
+TEST(first_at_most, is_all_of_what_is_not_longer)
+{
+    constexpr auto size_of = [](std::size_t size, std::size_t most) {
+        std::array<std::uint8_t, 8> buffer{};
+        auto const                  front = first_at_most(mutable_bytes{buffer}.first(size), most);
+        return front.data() == buffer.data() ? front.size() : 99;
+    };
+    VERIFY(size_of(0, 0) == 0 and size_of(0, 5) == 0);
+    VERIFY(size_of(4, 5) == 4);
+    VERIFY(size_of(5, 5) == 5);
+    VERIFY(size_of(6, 5) == 5);
+    VERIFY(size_of(8, 0) == 0);
+    VERIFY(first_at_most({}, 256).empty());
+}
+
 TEST(owning_temporary, is_a_container_about_to_die)
 {
     using array = std::array<std::uint8_t, 3>;
