@@ -19,10 +19,11 @@ void the_text_has_at_most_so_many_characters();
 
 namespace detail {
 
-/// Precondition: not row.is_writable().
-consteval void refuse_to_write(parameter_row const& row)
+/// Says why, in the compiler's text.
+template <access Access>
+consteval void refuse_to_write()
 {
-    if (row.access == access::panel_only) {
+    if constexpr (Access == access::panel_only) {
         compile_error::this_parameter_is_set_at_the_control_panel_and_not_over_the_bus();
     } else {
         compile_error::this_parameter_is_read_only();
@@ -107,7 +108,7 @@ struct basic_parameter {
         consteval constant(Value wanted) : pwe{}
         {
             if constexpr (not row.is_writable()) {
-                detail::refuse_to_write(row);
+                detail::refuse_to_write<row.access>();
             } else {
                 auto const given = pwe_of(wanted);
                 if (not given and given.error().code() == errc::inexact) {
@@ -189,7 +190,7 @@ struct text_parameter {
     template <std::size_t Size>
     [[nodiscard]] static consteval auto write(char const (&text)[Size], fc::process_command process)
     {
-        if (not row.is_writable()) { detail::refuse_to_write(row); }
+        if constexpr (not row.is_writable()) { detail::refuse_to_write<row.access>(); }
         if (Size - 1 > row.max_text_length) {
             compile_error::the_text_has_at_most_so_many_characters<int{row.max_text_length}>();
         }
