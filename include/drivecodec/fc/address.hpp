@@ -66,13 +66,13 @@ public:
     /// To all slaves; none of them answers.
     [[nodiscard]] constexpr bool is_broadcast() const noexcept
     {
-        return is_long() ? byte_ == long_bit : (byte_ & broadcast_bit) != 0;
+        return byte_ == long_bit or (byte_ & (long_bit | broadcast_bit)) == broadcast_bit;
     }
 
     /// Neither a slave nor a broadcast: 00h, 40h and FFh.
     [[nodiscard]] constexpr bool is_reserved() const noexcept
     {
-        return not is_broadcast() and (number() == 0 or number() > last_long);
+        return (byte_ & ~unused_bit) == 0 or byte_ == (long_bit | (last_long + 1U));
     }
 
     /// The slave's number, as parameter 501 has it; 0 of a broadcast.
@@ -87,6 +87,7 @@ public:
 
 private:
     static constexpr unsigned long_bit      = 0x80;
+    static constexpr unsigned unused_bit    = 0x40;  // in the short format
     static constexpr unsigned broadcast_bit = 0x20;
 
     constexpr explicit address(std::uint8_t byte) noexcept : byte_{byte} {}

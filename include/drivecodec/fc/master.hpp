@@ -26,38 +26,50 @@ basic_parameter_response<Layout> response_of(basic_parameter_request<Layout> con
 template <typename Layout, typename Text>
 basic_text_response<Layout> response_of(basic_text_data<Layout, basic_process_command<Layout>, Text> const&);
 
-//=== does it answer? What is wrong is at an offset in the data ===//
+//=== does the telegram `wire`, which is a valid one with data of the right size, answer? ===//
 
-/// Is this AK a reply to that? A word written is answered as a word; what is read may have either width.
+/// Which replies answer each of the 16 commands: bit n is AK n. A word written is answered as a word; what is read may
+/// have either width. Nobody knows what answers a command without a meaning; a text does not.
+inline constexpr std::array<std::uint16_t, 16> answering = [] {
+    constexpr auto bit = [](ak_reply reply) { return static_cast<std::uint16_t>(1U << static_cast<unsigned>(reply)); };
+    std::array<std::uint16_t, 16> replies{};
+    for (unsigned command = 0; command < replies.size(); ++command) {
+        switch (ak_command{static_cast<std::uint8_t>(command)}) {
+        case ak_command::no_command: replies[command] = bit(ak_reply::no_reply); break;
+        case ak_command::read_value: replies[command] = bit(ak_reply::word) | bit(ak_reply::double_word); break;
+        case ak_command::write_word:
+        case ak_command::write_word_to_eeprom: replies[command] = bit(ak_reply::word); break;
+        case ak_command::write_double_word:
+        case ak_command::write_double_word_to_eeprom: replies[command] = bit(ak_reply::double_word); break;
+        case ak_command::read_description: replies[command] = bit(ak_reply::description); break;
+        case ak_command::text: replies[command] = bit(ak_reply::text); break;
+        default: replies[command] = static_cast<std::uint16_t>(~bit(ak_reply::text)); break;
+        }
+    }
+    return replies;
+}();
+
 [[nodiscard]] constexpr bool answers(ak_reply reply, ak_command command) noexcept
 {
-    switch (command) {
-    case ak_command::no_command: return reply == ak_reply::no_reply;
-    case ak_command::read_value: return reply == ak_reply::word or reply == ak_reply::double_word;
-    case ak_command::write_word:
-    case ak_command::write_word_to_eeprom: return reply == ak_reply::word;
-    case ak_command::write_double_word:
-    case ak_command::write_double_word_to_eeprom: return reply == ak_reply::double_word;
-    case ak_command::read_description: return reply == ak_reply::description;
-    case ak_command::text: return reply == ak_reply::text;
-    }
-    return reply != ak_reply::text;  // nobody knows what answers a command without a meaning
+    return (answering[static_cast<std::size_t>(command)] >> static_cast<unsigned>(reply) & 1U) != 0;
 }
 
+inline constexpr error other_parameter{errc::unexpected_reply, layout::telegram::data + layout::parameter::pke.begin};
+inline constexpr error other_element{errc::unexpected_reply, layout::telegram::data + layout::parameter::ind.begin};
+
 /// One function for all requests with a PKE, for the sake of firmware. `number_bits` is what belongs to the number.
-[[nodiscard]] constexpr error match_pke(pke asked, unsigned number_bits, bytes data) noexcept
+[[nodiscard]] constexpr error match_pke(pke asked, unsigned number_bits, bytes wire) noexcept
 {
     namespace at       = layout::parameter;
+    auto const data    = data_of(wire);
     auto const given   = pke::from_raw(at::pke.load(data));
     auto const command = asked.get(pke::command);
     auto const reply   = given.get(pke::reply);
-    if (command != ak_command::no_command and ((given.raw ^ asked.raw) & number_bits) != 0) {
-        return {errc::unexpected_reply, at::pke.begin};
-    }
+    if (command != ak_command::no_command and ((given.raw ^ asked.raw) & number_bits) != 0) { return other_parameter; }
     if (reply == ak_reply::cannot_be_executed and data.size() >= at::process) {
         return reply_error{parameter_error{at::pwe_low.load(data)}};
     }
-    return answers(reply, command) ? error{} : error{errc::unexpected_reply, at::pke.begin};
+    return answers(reply, command) ? error{} : other_parameter;
 }
 
 template <typename Layout>
@@ -67,22 +79,20 @@ template <typename Layout>
 }
 
 template <typename Layout>
-[[nodiscard]] constexpr error match(basic_parameter_request<Layout> const& asked, bytes data) noexcept
+[[nodiscard]] constexpr error match(basic_parameter_request<Layout> const& asked, bytes wire) noexcept
 {
-    namespace at     = layout::parameter;
-    auto const fault = match_pke(asked.pke, basic_parameter_number<Layout>::last, data);
+    auto const fault = match_pke(asked.pke, basic_parameter_number<Layout>::last, wire);
     if (not fault.ok()) { return fault; }
     // The manual does not say that IND is repeated; but the value of another element answers another request.
-    auto const index = ind::from_raw(at::ind.load(data)).get(ind::array_index);
-    if (index != 0 and index != asked.array_index()) { return {errc::unexpected_reply, at::ind.begin}; }
-    return {};
+    auto const index = ind::from_raw(layout::parameter::ind.load(data_of(wire))).get(ind::array_index);
+    return index == 0 or index == asked.array_index() ? error{} : other_element;
 }
 
 template <typename Layout, typename Text>
 [[nodiscard]] constexpr error match(basic_text_data<Layout, basic_process_command<Layout>, Text> const& asked,
-                                    bytes                                                               data) noexcept
+                                    bytes                                                               wire) noexcept
 {
-    return match_pke(asked.pke, basic_parameter_number<Layout>::last, data);
+    return match_pke(asked.pke, basic_parameter_number<Layout>::last, wire);
 }
 
 /// What is wrong with the telegram of a response, up to its data.
@@ -116,10 +126,9 @@ template <request Request>
     if (not expects_reply(to)) { return reply_error{error{errc::no_reply, 0}}; }
     auto fault = detail::check_response(to, wire, min_data_size<response>(), max_data_size_of<response>());
     if (not fault.ok()) { return reply_error{fault}; }
-    auto const data = data_of(wire);
-    fault           = detail::match(asked, data).moved_by(layout::telegram::data);
+    fault = detail::match(asked, wire);
     if (not fault.ok()) { return reply_error{fault}; }
-    return response::read(data);
+    return response::read(data_of(wire));
 }
 
 /// Refused: a text that borrows its bytes would outlive them. Name the buffer first.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/core/be16.hpp>
 #include <drivecodec/core/codec.hpp>
 #include <drivecodec/fc/data_layout.hpp>
 #include <drivecodec/fc/main_value.hpp>
 
 #include <array>
 #include <concepts>
+#include <utility>
 
 // The process block, which every telegram has: PCD1 PCD2. VLT 6000 manual, "Process word".
 
@@ -30,7 +30,7 @@ public:
         return words_;
     }
 
-    constexpr void write(mutable_bytes out) const noexcept { store_be16(words_, out); }
+    constexpr void write(mutable_bytes out) const noexcept { store(out, each_word{}); }
 
     [[nodiscard]] static constexpr error check(bytes data) noexcept
     {
@@ -49,9 +49,23 @@ protected:
         : words_{first, second, static_cast<std::uint16_t>(more)...}
     {}
 
-    constexpr void load(bytes data) noexcept { load_be16(data, words_); }
+    constexpr explicit process_block(bytes data) noexcept : process_block{data, each_word{}} {}
 
 private:
+    // Not loops, for the sake of firmware: at places known to the compiler, words stay in registers.
+    using each_word = std::make_index_sequence<Layout::process_words>;
+
+    template <std::size_t... Index>
+    constexpr process_block(bytes data, std::index_sequence<Index...>) noexcept
+        : words_{be16_at<2 * Index>::load(data)...}
+    {}
+
+    template <std::size_t... Index>
+    constexpr void store(mutable_bytes out, std::index_sequence<Index...>) const noexcept
+    {
+        (be16_at<2 * Index>::store(out, words_[Index]), ...);
+    }
+
     std::array<std::uint16_t, Layout::process_words> words_{};
 };
 
@@ -98,13 +112,12 @@ public:
 
     [[nodiscard]] static constexpr basic_process_command read(bytes data) noexcept
     {
-        basic_process_command made{data_not_valid};
-        made.load(data);
-        return made;
+        return basic_process_command{data};
     }
 
 private:
     struct checked {};
+    constexpr explicit basic_process_command(bytes data) noexcept : base{data} {}
     template <typename... Words>
     constexpr basic_process_command(checked, Words... words) noexcept : base{words...}
     {}
@@ -152,12 +165,14 @@ public:
         return fc::output_frequency::from_raw(this->pcd(1));
     }
 
-    [[nodiscard]] static constexpr basic_process_status read(bytes data) noexcept
+    // Inlined also where size matters: what a called function returns in memory keeps a whole response there.
+    [[nodiscard, gnu::always_inline]] static constexpr basic_process_status read(bytes data) noexcept
     {
-        basic_process_status made{};
-        made.load(data);
-        return made;
+        return basic_process_status{data};
     }
+
+private:
+    constexpr explicit basic_process_status(bytes data) noexcept : base{data} {}
 };
 using process_status = basic_process_status<vlt_layout>;
 

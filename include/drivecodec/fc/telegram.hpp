@@ -29,7 +29,7 @@ inline constexpr std::size_t max_data_size     = max_telegram_size - layout::tel
 /// The data in a whole telegram. Precondition: telegram.size() >= 4.
 [[nodiscard]] constexpr bytes data_of(bytes telegram) noexcept
 {
-    return telegram.subspan(layout::telegram::data, telegram.size() - layout::telegram::around);
+    return {telegram.data() + layout::telegram::data, telegram.size() - layout::telegram::around};
 }
 
 /// What is wrong with `wire` as a telegram of `least` to `most` data bytes, whatever they say: in wire order, and the
@@ -61,6 +61,14 @@ constexpr void seal(mutable_bytes out, address to) noexcept
     at::lge.store(out, static_cast<std::uint8_t>(out.size() - at::not_in_lge));
     at::adr.store(out, to.byte());
     u8_at<0>::store(out.subspan(last), bcc::of(out.first(last)));
+}
+
+/// A whole telegram into `out`, which has its size.
+template <writable Data>
+constexpr void write_telegram(mutable_bytes out, address to, Data const& data) noexcept
+{
+    data.write(out.subspan(layout::telegram::data, out.size() - layout::telegram::around));
+    seal(out, to);
 }
 
 /// How many data bytes `Data` may have.
@@ -110,11 +118,7 @@ struct telegram {
         return {fc::address::from_byte(layout::telegram::adr.load(wire)), Data::read(data_of(wire))};
     }
 
-    constexpr void write(mutable_bytes out) const noexcept
-    {
-        data.write(out.subspan(layout::telegram::data, out.size() - layout::telegram::around));
-        seal(out, address);
-    }
+    constexpr void write(mutable_bytes out) const noexcept { write_telegram(out, address, data); }
 
     friend constexpr bool operator==(telegram const&, telegram const&) noexcept = default;
 };
@@ -126,7 +130,9 @@ template <fixed_size Data>
 [[nodiscard]] constexpr auto encode(address to, Data const& data) noexcept
 {
     static_assert(Data::wire_size() <= max_data_size, "no telegram has more than 252 data bytes");
-    return drivecodec::encode(telegram<Data>{to, data});
+    std::array<std::uint8_t, telegram<Data>::wire_size()> out;
+    write_telegram(out, to, data);
+    return out;
 }
 
 /// Writes the telegram to the front of `out`; returns the part written.
