@@ -3,6 +3,8 @@
 
 #include <drivecodec/core/quantity.hpp>
 
+#include <array>
+
 // What a drive does when its master falls silent. VLT 6000 manual, parameters 555 and 556; both act only if parameter
 // 500 is FC protocol.
 
@@ -24,6 +26,8 @@ enum class bus_time_interval_function : std::uint16_t {
     max_output_frequency = 4,  ///< Goes to the frequency of 202.
     stop_and_trip        = 5,
 };
+
+inline constexpr std::array<std::uint16_t, 6> bus_time_interval_function_codes{0, 1, 2, 3, 4, 5};
 
 /// A drive from the factory goes on as last told, without an end, when its master falls silent.
 inline constexpr bus_time_interval_function factory_bus_time_interval_function = bus_time_interval_function::off;

@@ -4,6 +4,8 @@
 #include <drivecodec/core/result.hpp>
 #include <drivecodec/drives/vlt6000/selection.hpp>
 
+#include <array>
+
 // How a command of the control word meets the same command at a terminal. VLT 6000 manual, parameters 503 to 508.
 
 namespace drivecodec::vlt6000 {
@@ -15,6 +17,8 @@ enum class gating : std::uint16_t {
     logic_and            = 2,  ///< Only both together.
     logic_or             = 3,  ///< Either of them.
 };
+
+inline constexpr std::array<std::uint16_t, 4> gating_codes{0, 1, 2, 3};
 
 /// Errors: `bad_value` at 0 for a number that is none of the four.
 [[nodiscard]] constexpr result<gating> make_gating(std::uint16_t number) noexcept

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <drivecodec/core/table.hpp>
+#include <drivecodec/drives/vlt6000/bus_time_out.hpp>
 #include <drivecodec/drives/vlt6000/choices.hpp>
+#include <drivecodec/drives/vlt6000/gating.hpp>
 #include <drivecodec/drives/vlt6000/parameter_row.hpp>
 
 namespace drivecodec::vlt6000 {
@@ -11,9 +13,6 @@ namespace detail {
 
 using fc::width;
 using enum vlt6000::access;
-
-inline constexpr std::array<std::uint16_t, 4> choices_of_gating{0, 1, 2, 3};
-inline constexpr std::array<std::uint16_t, 6> choices_of_bus_time_out{0, 1, 2, 3, 4, 5};
 
 [[nodiscard]] consteval value_limits from_to(int min, int max)
 {
@@ -37,8 +36,9 @@ inline constexpr std::array<std::uint16_t, 6> choices_of_bus_time_out{0, 1, 2, 3
 }
 
 /// A choice of which all numbers are printed.
+template <typename Code>
 [[nodiscard]] consteval parameter_row choice_of(std::span<std::uint16_t const> codes, int number, std::string_view name,
-                                                std::string_view display_text, int factory_setting,
+                                                std::string_view display_text, Code factory_setting,
                                                 access may = read_write)
 {
     return {.number          = static_cast<std::uint16_t>(number),
@@ -46,7 +46,7 @@ inline constexpr std::array<std::uint16_t, 6> choices_of_bus_time_out{0, 1, 2, 3
             .display_text    = display_text,
             .kind            = kind::choice,
             .access          = may,
-            .factory_setting = decimal{factory_setting, 0},
+            .factory_setting = decimal{static_cast<std::int32_t>(factory_setting), 0},
             .choices         = codes};
 }
 
@@ -117,6 +117,7 @@ inline constexpr std::array<parameter_row, 87> table = [] {
     using namespace detail;
     using vlt6000::kind::choice;
     using vlt6000::kind::number;
+    constexpr gating_settings factory{};
     return std::array{
         parameter_row{.number = 1, .name = "language", .kind = choice, .access = read_write,
                       .choices = language_codes, .has_other_choices = true},
@@ -161,16 +162,16 @@ inline constexpr std::array<parameter_row, 87> table = [] {
         parameter_row{.number = 415, .name = "process_units", .kind = choice, .access = read_write,
                       .width = width::word, .choices = process_unit_codes, .has_other_choices = true},
 
-        choice_of(protocol_codes, 500, "protocol", "PROTOCOL", 0),
+        choice_of(protocol_codes, 500, "protocol", "PROTOCOL", protocol::fc_protocol),
         parameter_row{.number = 501, .name = "address", .display_text = "ADDRESS", .kind = number,
                       .access = panel_only, .limits = from_to(0, 126), .factory_setting = decimal{1, 0}},
-        choice_of(baud_rate_codes, 502, "baudrate", "BAUDRATE", 5, panel_only),
-        choice_of(choices_of_gating, 503, "coasting_stop",                 "COASTING",           3),
-        choice_of(choices_of_gating, 504, "dc_brake",                      "DC BRAKE",           3),
-        choice_of(choices_of_gating, 505, "start",                         "START",              3),
-        choice_of(choices_of_gating, 506, "reversing",                     "REVERSING",          0),
-        choice_of(choices_of_gating, 507, "selection_of_setup",            "SELECTING OF SETUP", 3),
-        choice_of(choices_of_gating, 508, "selection_of_preset_reference", "SELECTING OF SPEED", 3),
+        choice_of(baud_rate_codes, 502, "baudrate", "BAUDRATE", baud_rate::baud_9600, panel_only),
+        choice_of(gating_codes, 503, "coasting_stop",                 "COASTING",            factory.coasting_stop),
+        choice_of(gating_codes, 504, "dc_brake",                      "DC BRAKE",            factory.dc_brake),
+        choice_of(gating_codes, 505, "start",                         "START",               factory.start),
+        choice_of(gating_codes, 506, "reversing",                     "REVERSING",           factory.reversing),
+        choice_of(gating_codes, 507, "selection_of_setup",            "SELECTING OF SETUP",  factory.setup),
+        choice_of(gating_codes, 508, "selection_of_preset_reference", "SELECTING OF SPEED",  factory.preset_reference),
         read_out(509, "resulting_reference",         "REFERENCE %",                unit::percent,    80),
         read_out(510, "resulting_reference_in_unit", "REFERENCE [UNIT]",           unit::none,       80, 0, 415),
         read_out(511, "feedback",                    "FEEDBACK",                   unit::none,       80, 0, 415),
@@ -200,9 +201,11 @@ inline constexpr std::array<parameter_row, 87> table = [] {
         bus_feedback(535, "bus_feedback_1", "BUS FEEDBACK1"),
         bus_feedback(536, "bus_feedback_2", "BUS FEEDBACK 2"),
         parameter_row{.number = 555, .name = "bus_time_interval", .display_text = "BUS TIME INTERVAL", .kind = number,
-                      .access = read_write, .unit = unit::second, .limits = from_to(1, 65534),
-                      .factory_setting = decimal{1, 0}},
-        choice_of(choices_of_bus_time_out, 556, "bus_time_interval_function", "BUS TIME INTERVAL FUNCTION", 0),
+                      .access = read_write, .unit = unit::second,
+                      .limits = value_limits{shortest_bus_time_interval.value(), longest_bus_time_interval.value()},
+                      .factory_setting = factory_bus_time_interval.value()},
+        choice_of(bus_time_interval_function_codes, 556, "bus_time_interval_function", "BUS TIME INTERVAL FUNCTION",
+                  factory_bus_time_interval_function),
 
         parameter_row{.number = 615, .name = "error_code", .kind = number, .is_array = true, .limits = from_to(1, 99)},
         name_plate(621, "unit_type"),
