@@ -50,6 +50,14 @@ awk '$1 == "measured_decode_state_of_65536_words" {
          found = 1
      }
      END { exit !found }' "$work/instructions" >>"$lines"
+sh bench/check_instructions.sh "$bench/bench.fc.instructions" >"$work/instructions"
+awk '$1 ~ /^measured_(decode|check)_parameter_/ {
+         what = substr($1, length("measured_") + 1)
+         gsub("_", " ", what)
+         printf "FC, %s|%d instructions|at most 130|%s\n", what, $2, $2 <= 130 ? "ok" : "MISSED"
+         ++found
+     }
+     END { exit found != 2 }' "$work/instructions" >>"$lines"
 
 #=== times ===#
 
@@ -118,6 +126,6 @@ cat "$work/judged" >>"$lines"
 
 awk -F'|' '{ printf "%-72s %12s   %-20s %s\n", $1, $2, $3, $4; missed += $4 == "MISSED" }
     END {
-        if (NR < 36) { print "figures are missing"; exit 1 }
+        if (NR < 47) { print "figures are missing"; exit 1 }
         if (missed) { print missed " missed"; exit 1 }
     }' "$lines"

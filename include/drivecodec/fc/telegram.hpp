@@ -130,7 +130,7 @@ template <fixed_size Data>
 [[nodiscard]] constexpr auto encode(address to, Data const& data) noexcept
 {
     static_assert(Data::wire_size() <= max_data_size, "no telegram has more than 252 data bytes");
-    std::array<std::uint8_t, telegram<Data>::wire_size()> out;
+    std::array<std::uint8_t, telegram<Data>::wire_size()> out;  // not set to 0: every byte of it is written
     write_telegram(out, to, data);
     return out;
 }
