@@ -74,6 +74,7 @@ inline constexpr std::array<telegram, 20> all_fc{
     write_501,
     write_501_response,
     write_291_1,
+    write_291_1_response,
 };
 
 }  // namespace vectors
