@@ -10,6 +10,7 @@ namespace rtu_model {
 
 using stream_model::byte_list;
 using stream_model::bytes;
+using stream_model::dice;
 using stream_model::line;
 using stream_model::reading;
 using what = stream_model::reading::what;
@@ -164,26 +165,6 @@ struct rules {
 };
 
 //=== random traffic ===//
-
-/// The same numbers on every machine.
-class dice {
-public:
-    explicit dice(unsigned seed) : random_{seed} {}
-
-    /// 0 to `count` - 1.
-    [[nodiscard]] unsigned below(std::size_t count) { return static_cast<unsigned>(random_() % count); }
-    [[nodiscard]] bool     one_in(unsigned count) { return below(count) == 0; }
-    [[nodiscard]] std::uint8_t byte() { return static_cast<std::uint8_t>(random_()); }
-    [[nodiscard]] byte_list    noise(std::size_t size)
-    {
-        byte_list made(size);
-        for (auto& b : made) { b = byte(); }
-        return made;
-    }
-
-private:
-    std::mt19937 random_;
-};
 
 /// A request or response of a random function that the specification's lengths allow; fields and payload are random.
 [[nodiscard]] inline byte_list random_pdu(dice& random, int kind, int function)

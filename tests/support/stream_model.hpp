@@ -64,6 +64,28 @@ template <typename... Parts>
     return made;
 }
 
+//=== chance ===//
+
+/// The same numbers on every machine.
+class dice {
+public:
+    explicit dice(unsigned seed) : random_{seed} {}
+
+    /// 0 to `count` - 1.
+    [[nodiscard]] unsigned below(std::size_t count) { return static_cast<unsigned>(random_() % count); }
+    [[nodiscard]] bool         one_in(unsigned count) { return below(count) == 0; }
+    [[nodiscard]] std::uint8_t byte() { return static_cast<std::uint8_t>(random_()); }
+    [[nodiscard]] byte_list    noise(std::size_t size)
+    {
+        byte_list made(size);
+        for (auto& b : made) { b = byte(); }
+        return made;
+    }
+
+private:
+    std::mt19937 random_;
+};
+
 //=== what a reader says of it ===//
 
 struct item {
