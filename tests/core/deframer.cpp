@@ -104,15 +104,23 @@ struct small_rules {
     void                      timed_out() {}
 };
 
+/// The same, but shorter frames than the longest are none.
+struct long_framing : small_framing {
+    static constexpr std::size_t min_frame_size = 4;
+};
+struct long_rules : small_rules {
+    static constexpr std::size_t min_size = 4;
+};
+
 constexpr auto kind_of = [](small_framing::frame const& f) { return static_cast<int>(f.reading); };
 
-template <std::size_t Capacity>
+template <std::size_t Capacity, typename Framing = small_framing, typename Rules = small_rules>
 void compare_with_the_rule(line const& heard, way how, unsigned seed = 1)
 {
-    using reader_type = deframer<small_framing, Capacity>;
-    stream_model::decision<small_rules> decide{{}, reader_type::max_run};
-    auto const                          expected = decide(heard);
-    reader_type                         reader;
+    using reader_type = deframer<Framing, Capacity>;
+    stream_model::decision<Rules> decide{{}, reader_type::max_run};
+    auto const                    expected = decide(heard);
+    reader_type                   reader;
     ASSERT_EQ(stream_model::read(reader, heard, how, kind_of, seed), expected) << stream_model::to_text(heard);
     ASSERT_EQ(reader.counters(), stream_model::counters_of<stream_counters>(expected)) << stream_model::to_text(heard);
     if (not heard.empty() and heard.back() == silence) {
@@ -129,6 +137,7 @@ TEST(deframer, decides_every_short_stream_as_the_rule_says)
         for (bool more = true; more;) {
             ASSERT_NO_FATAL_FAILURE((compare_with_the_rule<6>(heard, way::byte_by_byte)));
             ASSERT_NO_FATAL_FAILURE((compare_with_the_rule<16>(heard, way::in_one_chunk)));
+            ASSERT_NO_FATAL_FAILURE((compare_with_the_rule<6, long_framing, long_rules>(heard, way::byte_by_byte)));
             more = false;
             for (auto& what : heard) {  // the next one: silence, 0, 1, 2, 3 count like digits
                 if (what < 3) {
@@ -181,6 +190,15 @@ TEST(deframer, knows_what_is_impossible_at_once)
     // Five bytes are too many for either reading of 02 03.
     EXPECT_EQ(read({2, 3, 1, 1, 3, 0}),
               (items{dropped(errc::bad_length, line{2, 3, 1}), frame(0, line{1, 3, 0}, false)}));
+}
+
+TEST(deframer, does_not_wait_for_what_is_too_short_to_be_a_frame)
+{
+    deframer<long_framing, 32> reader;
+    EXPECT_EQ(stream_model::read(reader, {2, 1, 2, 2, 0, 0}, way::in_one_chunk, kind_of),
+              (items{dropped(errc::bad_length, line{2, 1}), frame(0, line{2, 2, 0, 0}, false)}));
+    EXPECT_EQ(stream_model::read(reader, {2, 1, silence}, way::in_one_chunk, kind_of),
+              (items{dropped(errc::bad_length, line{2, 1})}));
 }
 
 TEST(deframer, ends_a_frame_at_a_silence_only_if_it_is_aligned)

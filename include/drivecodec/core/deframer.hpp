@@ -166,8 +166,9 @@ private:
             return errc::bad_length;
         }
         if (size > Framing::max_frame_size) { return errc::bad_length; }
-        if (length.is_open() or size > front.size()) { return errc::truncated; }
+        if (length.is_open()) { return errc::truncated; }
         if (size < Framing::min_frame_size) { return errc::bad_length; }
+        if (size > front.size()) { return errc::truncated; }
         return Framing::is_intact(front.first(size)) ? errc::none : errc::bad_checksum;
     }
 
