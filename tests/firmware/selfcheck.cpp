@@ -2,9 +2,11 @@
 #include "firmware.hpp"
 
 #include "support/exchanges.hpp"
+#include "support/fc_vectors.hpp"
 #include "support/modbus_vectors.hpp"
 
 #include <drivecodec/cia402.hpp>
+#include <drivecodec/fc.hpp>
 #include <drivecodec/modbus.hpp>
 #include <drivecodec/modbus/crc16/byte_table.hpp>
 #include <drivecodec/modbus/crc16/carryless.hpp>
@@ -15,6 +17,7 @@ namespace {
 using drivecodec::bytes;
 using drivecodec::same_bytes;
 namespace cia402 = drivecodec::cia402;
+namespace fc     = drivecodec::fc;
 namespace modbus = drivecodec::modbus;
 namespace crc16  = drivecodec::modbus::crc16;
 namespace rtu    = drivecodec::modbus::rtu;
@@ -259,6 +262,108 @@ void check_state_machine() noexcept
     }
 }
 
+//=== FC ===//
+
+/// Is `wire` a telegram of `Data`? If so, it is encoded again as it was.
+template <typename Data>
+bool is_fc_telegram_of(bytes wire) noexcept
+{
+    auto const decoded = fc::decode<Data>(opaque(wire));
+    if (not decoded) { return false; }
+    auto const encoded = fc::encode(decoded->address, decoded->data, drivecodec::mutable_bytes{other_buffer});
+    check(encoded and same_bytes(*encoded, wire), "FC telegram", "encodes what it decoded");
+    return true;
+}
+
+/// Of how many kinds a telegram is.
+int fc_kinds_of(bytes wire) noexcept
+{
+    return is_fc_telegram_of<fc::process_command>(wire) + is_fc_telegram_of<fc::parameter_request>(wire)
+           + is_fc_telegram_of<fc::text_request>(wire);
+}
+
+void check_fc_telegram(bytes telegram) noexcept
+{
+    constexpr char const* name = "FC telegram";
+
+    check(fc_kinds_of(telegram) == 1, name, "is of one kind");
+    for (std::size_t size = 0; size < telegram.size(); ++size) {
+        check(fc_kinds_of(telegram.first(size)) == 0, name, "is refused if its end is missing");
+    }
+    auto const damaged = bytes{frame_buffer}.first(telegram.size());
+    for (std::size_t bit = 0; bit < 8 * telegram.size(); ++bit) {
+        drivecodec::copy_bytes(telegram, frame_buffer);
+        frame_buffer[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+        check(fc_kinds_of(damaged) == 0, name, "is refused if a bit is wrong");
+    }
+}
+
+void check_fc_stream(fc::reader& line, bytes telegram) noexcept
+{
+    for (auto const byte : telegram) { check(line.push({&byte, 1}).empty(), "FC stream", "is taken"); }
+    line.silence();
+    auto const item = line.next();
+    check(item.frame() != nullptr and same_bytes(item.frame()->raw, telegram), "FC stream", "is found whole");
+    check(not line.next(), "FC stream", "leaves nothing");
+}
+
+/// Answers as the drive of the examples.
+struct fc_drive {
+    fc::process_status operator()(fc::process_command const&) const noexcept
+    {
+        return {0x0F03, fc::output_frequency::from_raw(0x2000)};
+    }
+    fc::parameter_answer operator()(fc::parameter_request const& asked) const noexcept
+    {
+        switch (asked.number()) {
+        case 206: return fc::parameter_answer::value(std::uint16_t{10});
+        case 615: return fc::parameter_answer::value(std::uint8_t{13});
+        case 501: return fc::parameter_error::no_bus_access;
+        default: break;
+        }
+        auto const written = asked.value<std::uint32_t>();
+        if (written) { return fc::parameter_answer::value(*written); }
+        return fc::parameter_answer::value(asked.value<std::uint16_t>().value_or(0));
+    }
+    fc::text_answer operator()(fc::text_request const&) const noexcept
+    {
+        static constexpr std::array<std::uint8_t, 7> text{'V', 'L', 'T', '6', '0', '0', '0'};
+        return bytes{text};
+    }
+};
+
+/// A request reaches the slave, which answers as the manual has it, and the master takes its reply for what it is.
+template <typename Request>
+void check_fc_exchange(bytes request, bytes response, fc::reply_error refusal = drivecodec::error{}) noexcept
+{
+    auto const asked = fc::decode<Request>(opaque(request));
+    check(asked.has_value(), "FC request", "decodes");
+    if (not asked) { return; }
+    auto const reply = fc::serve(asked->address, opaque(request), other_buffer, fc_drive{});
+    check(same_bytes(reply, response), "FC request", "is answered");
+    auto const answer = fc::check(asked->address, asked->data, reply);
+    check(refusal.ok() ? answer.has_value() : not answer and answer.error() == refusal, "FC response",
+          "is what it is for the master");
+}
+
+void check_fc() noexcept
+{
+    fc::reader line;
+    for (auto const telegram : vectors::all_fc) {
+        check_fc_telegram(telegram);
+        check_fc_stream(line, telegram);
+    }
+    check_fc_exchange<fc::process_command>(vectors::forwards_to_22, vectors::status_of_22);
+    check_fc_exchange<fc::parameter_request>(vectors::read_206, vectors::read_206_response);
+    check_fc_exchange<fc::parameter_request>(vectors::write_202, vectors::write_202_response);
+    check_fc_exchange<fc::parameter_request>(vectors::write_415, vectors::write_415_response);
+    check_fc_exchange<fc::parameter_request>(vectors::read_615_1, vectors::read_615_1_response);
+    check_fc_exchange<fc::parameter_request>(vectors::write_291_1, vectors::write_291_1_response);
+    check_fc_exchange<fc::parameter_request>(vectors::write_501, vectors::write_501_response,
+                                             fc::parameter_error::no_bus_access);
+    check_fc_exchange<fc::text_request>(vectors::read_621, vectors::read_621_response);
+}
+
 }  // namespace
 
 int main()
@@ -276,13 +381,15 @@ int main()
     check_states();
     check_state_machine();
 
+    check_fc();
+
     check_crc<crc16::bitwise>("bitwise");
     check_crc<crc16::nibble>("nibble");
     check_crc<crc16::byte_table>("byte_table");
     check_crc<crc16::slices>("slices");
     check_crc<crc16::carryless>("carryless");
 
-    check(checks > 2000, "the self-check", "has checked everything");
+    check(checks > 5000, "the self-check", "has checked everything");
     firmware::write(failures == 0 ? "selfcheck passed\n" : "selfcheck FAILED\n");
     return failures;
 }
