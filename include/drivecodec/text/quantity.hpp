@@ -73,16 +73,21 @@ constexpr void write_text(text_writer& out, decimal value) noexcept
     for (int zeros = value.number == 0 ? 0 : value.exponent; zeros > 0; --zeros) { out.put('0'); }
 }
 
-/// Number and symbol: `50.0 Hz`, `1500 rpm`, `100 %`. What is known in steps of more than one is written in thousands
-/// where the unit is: {40, 2} is `4.0 kHz`, for "4000 Hz" would claim digits that nobody has measured.
+/// Number and symbol, of a unit that need not be known to the compiler: `50.0 Hz`, `1500 rpm`, `100 %`. What is known in
+/// steps of more than one is written in thousands where the unit is: {40, 2} is `4.0 kHz`, for "4000 Hz" would claim
+/// digits that nobody has measured.
+constexpr void write_quantity(text_writer& out, decimal value, unit of) noexcept
+{
+    auto const in_kilos = takes_prefix(of) and value.exponent > 0;
+    if (in_kilos) { value.exponent = static_cast<std::int8_t>(value.exponent - 3); }
+    write_text(out, value);
+    if (of != unit::none) { out.put(in_kilos ? " k" : " ").put(to_string(of)); }
+}
+
 template <unit Unit>
 constexpr void write_text(text_writer& out, quantity<Unit> of) noexcept
 {
-    auto       value    = of.value();
-    auto const in_kilos = takes_prefix(Unit) and value.exponent > 0;
-    if (in_kilos) { value.exponent = static_cast<std::int8_t>(value.exponent - 3); }
-    write_text(out, value);
-    if constexpr (Unit != unit::none) { out.put(in_kilos ? " k" : " ").put(to_string(Unit)); }
+    write_quantity(out, of.value(), Unit);
 }
 
 }  // namespace drivecodec

@@ -4,8 +4,6 @@
 #include <drivecodec/drives/register_row.hpp>
 #include <drivecodec/text/quantity.hpp>
 
-#include <utility>
-
 namespace drivecodec::drives {
 
 // An enumerator's own name; empty for a value without one.
@@ -48,18 +46,6 @@ namespace drivecodec::drives {
     return row.type == raw_type::bits and not row.code.empty() ? row.code : row.name;
 }
 
-namespace detail {
-
-/// A quantity of a unit known only at run time: the table's.
-template <std::uint8_t... Units>
-constexpr void write_quantity(text_writer& out, decimal value, unit of,
-                              std::integer_sequence<std::uint8_t, Units...>) noexcept
-{
-    static_cast<void>(((of == unit{Units} and (write_text(out, quantity<unit{Units}>::of(value)), true)) or ...));
-}
-
-}  // namespace detail
-
 /// What the table alone says of these 16 bits: `50.0 Hz`, `13 s`, `-1500 rpm`; bits in hexadecimal; codes and addresses
 /// as numbers.
 constexpr void write_value(text_writer& out, register_row const& row, std::uint16_t raw) noexcept
@@ -67,9 +53,7 @@ constexpr void write_value(text_writer& out, register_row const& row, std::uint1
     if (row.type == raw_type::bits) {
         out.hex(raw);
     } else {
-        constexpr auto last = static_cast<std::uint8_t>(unit::newton_metre);
-        detail::write_quantity(out, {row.number(raw), row.exponent}, row.unit,
-                               std::make_integer_sequence<std::uint8_t, last + 1>{});
+        write_quantity(out, {row.number(raw), row.exponent}, row.unit);
     }
 }
 

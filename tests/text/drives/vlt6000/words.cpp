@@ -243,10 +243,10 @@ TEST(text_vlt6000_words, name_every_state_warning_and_alarm_of_the_manual)
 
 TEST(text_vlt6000_words, name_all_of_several)
 {
-    EXPECT_EQ(text_of<alarm_word>(0x0000'0402), "alarm_word 00000402 trip_locked earth_fault");
-    EXPECT_EQ(text_of<warning_word>(0x0000'8020), "warning_word 00008020 overcurrent live_zero_fault");
+    EXPECT_EQ(text_of<alarm_word>(0x0000'0402), "00000402 trip_locked earth_fault");
+    EXPECT_EQ(text_of<warning_word>(0x0000'8020), "00008020 overcurrent live_zero_fault");
     EXPECT_EQ(text_of<extended_status_word>(0x0600'0600),
-              "extended_status_word 06000600 speed_equals_reference running drive_ready_25 control_ready");
+              "06000600 speed_equals_reference running drive_ready_25 control_ready");
     expect_all_bits<extended_status_word>("extended_status_word", states, "80000000");
     expect_all_bits<warning_word>("warning_word", warnings, "C0000000");
     expect_all_bits<alarm_word>("alarm_word", alarms, "F0000000");

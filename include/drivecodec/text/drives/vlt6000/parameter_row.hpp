@@ -2,7 +2,9 @@
 #pragma once
 
 #include <drivecodec/drives/vlt6000/parameter_row.hpp>
-#include <drivecodec/text/drives/register_row.hpp>
+#include <drivecodec/text/quantity.hpp>
+
+#include <utility>
 
 namespace drivecodec::vlt6000 {
 
@@ -44,9 +46,7 @@ constexpr void write_value(text_writer& out, parameter_row const& row, std::uint
             out.hex(static_cast<std::uint16_t>(transferred));
         }
     } else if (row.conversion_index and std::in_range<std::int32_t>(transferred)) {
-        constexpr auto last = static_cast<std::uint8_t>(unit::newton_metre);
-        drives::detail::write_quantity(out, row.value(static_cast<std::int32_t>(transferred)), row.unit,
-                                       std::make_integer_sequence<std::uint8_t, last + 1>{});
+        write_quantity(out, row.value(static_cast<std::int32_t>(transferred)), row.unit);
     } else {
         out.decimal(transferred);
     }

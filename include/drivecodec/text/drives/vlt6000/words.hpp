@@ -6,8 +6,8 @@
 #include <drivecodec/drives/vlt6000/extended_status_word.hpp>
 #include <drivecodec/drives/vlt6000/status_word.hpp>
 #include <drivecodec/drives/vlt6000/warning_word.hpp>
-#include <drivecodec/text/cia402/describe.hpp>
 #include <drivecodec/text/drives/vlt6000/names.hpp>
+#include <drivecodec/text/flags.hpp>
 
 namespace drivecodec::vlt6000 {
 
@@ -16,7 +16,7 @@ namespace drivecodec::vlt6000 {
 namespace detail {
 
 template <typename Word, std::size_t N>
-using names_of_flags = std::array<cia402::detail::flag_name<Word>, N>;
+using names_of_flags = std::array<flag_name<Word>, N>;
 
 // clang-format off
 inline constexpr names_of_flags<control_word, 5> control_flags{{
@@ -137,11 +137,10 @@ inline constexpr names_of_flags<alarm_word, 28> alarm_flags{{
 // clang-format on
 
 template <typename Word, std::size_t N>
-constexpr void write_word(text_writer& out, std::string_view title, Word word,
-                          names_of_flags<Word, N> const& names) noexcept
+constexpr void write_word(text_writer& out, Word word, names_of_flags<Word, N> const& names) noexcept
 {
-    out.put(title).hex(word.raw);
-    cia402::detail::write_flags(out, word, names);
+    out.hex(word.raw);
+    write_flags(out, word, names);
 }
 
 }  // namespace detail
@@ -164,8 +163,7 @@ constexpr void write_text(text_writer& out, control_word word) noexcept
     out.put(' ').put(to_string(word.get(control_word::setup)));
 
     constexpr std::uint16_t told{0x647F};  // by everything above
-    cia402::detail::write_flags(out, control_word::from_raw(static_cast<std::uint16_t>(word.raw & ~told)),
-                                detail::control_flags);
+    write_flags(out, control_word::from_raw(static_cast<std::uint16_t>(word.raw & ~told)), detail::control_flags);
 }
 
 /// `STW 0F03 serial_control control_ready drive_ready speed_equals_reference within_frequency_range running`, or
@@ -173,27 +171,27 @@ constexpr void write_text(text_writer& out, control_word word) noexcept
 constexpr void write_text(text_writer& out, status_word status) noexcept
 {
     out.put("STW ").hex(status.raw).put(status.is_local() ? " local_operation" : " serial_control");
-    cia402::detail::write_flags(out, status.without(status_word::serial_control), detail::status_flags);
+    write_flags(out, status.without(status_word::serial_control), detail::status_flags);
 }
 
 //=== the words of parameters 529, 531 and 532; reserved bits come last: `+80000000` ===//
 
-/// `alarm_word 00000402 trip_locked earth_fault`; without an alarm the number alone.
+/// `00000402 trip_locked earth_fault`; without an alarm the number alone.
 constexpr void write_text(text_writer& out, alarm_word alarms) noexcept
 {
-    detail::write_word(out, "alarm_word ", alarms, detail::alarm_flags);
+    detail::write_word(out, alarms, detail::alarm_flags);
 }
 
-/// `warning_word 00008020 overcurrent live_zero_fault`; without a warning the number alone.
+/// `00008020 overcurrent live_zero_fault`; without a warning the number alone.
 constexpr void write_text(text_writer& out, warning_word warnings) noexcept
 {
-    detail::write_word(out, "warning_word ", warnings, detail::warning_flags);
+    detail::write_word(out, warnings, detail::warning_flags);
 }
 
-/// `extended_status_word 06000600 speed_equals_reference running drive_ready_25 control_ready`
+/// `06000600 speed_equals_reference running drive_ready_25 control_ready`
 constexpr void write_text(text_writer& out, extended_status_word status) noexcept
 {
-    detail::write_word(out, "extended_status_word ", status, detail::extended_status_flags);
+    detail::write_word(out, status, detail::extended_status_flags);
 }
 
 }  // namespace drivecodec::vlt6000

@@ -12,7 +12,6 @@ namespace drivecodec::xd1000 {
 constexpr void write_text(text_writer& out, command_word word,
                           cia402::state present = cia402::state::switch_on_disabled) noexcept
 {
-    using cia402::detail::flag_name;
     constexpr std::array names{
         flag_name<command_word>{command_word::fault_reset, "fault_reset"},
         flag_name<command_word>{command_word::halt, "halt"},
@@ -22,7 +21,7 @@ constexpr void write_text(text_writer& out, command_word word,
     if (word.get(command_word::direction) == direction::reverse) { out.put(" reverse"); }
 
     constexpr std::uint16_t told{0x080F};  // by the command and by the direction
-    cia402::detail::write_flags(out, command_word::from_raw(static_cast<std::uint16_t>(word.raw & ~told)), names);
+    write_flags(out, command_word::from_raw(static_cast<std::uint16_t>(word.raw & ~told)), names);
 }
 
 /// `ETA 0637 operation_enabled remote reference_reached`; of a word that is no state, `ETA 0012 no_state local`.
@@ -30,7 +29,6 @@ constexpr void write_text(text_writer& out, command_word word,
 /// Voltage enabled, which is always on by the manual, shows only in the number. Reserved bits come last: `+0080`.
 constexpr void write_text(text_writer& out, status_word status) noexcept
 {
-    using cia402::detail::flag_name;
     constexpr std::array names{
         flag_name<status_word>{status_word::reference_reached, "reference_reached"},
         flag_name<status_word>{status_word::reference_exceeded, "reference_exceeded"},
@@ -43,7 +41,7 @@ constexpr void write_text(text_writer& out, status_word status) noexcept
     if (status.get(status_word::direction) == direction::reverse) { out.put(" reverse"); }
 
     constexpr std::uint16_t told{0x827F};  // by the state, by local or remote, by the direction; and bit 4
-    cia402::detail::write_flags(out, status_word::from_raw(static_cast<std::uint16_t>(status.raw & ~told)), names);
+    write_flags(out, status_word::from_raw(static_cast<std::uint16_t>(status.raw & ~told)), names);
 }
 
 }  // namespace drivecodec::xd1000
