@@ -298,7 +298,10 @@ void check_fc_telegram(bytes telegram) noexcept
     }
 }
 
-void check_fc_stream(fc::reader& line, bytes telegram) noexcept
+// As small as can be: it lies on the stack.
+using fc_reader = fc::basic_reader<fc::vlt_layout, fc::max_telegram_size + 2>;
+
+void check_fc_stream(fc_reader& line, bytes telegram) noexcept
 {
     for (auto const byte : telegram) { check(line.push({&byte, 1}).empty(), "FC stream", "is taken"); }
     line.silence();
@@ -348,7 +351,7 @@ void check_fc_exchange(bytes request, bytes response, fc::reply_error refusal = 
 
 void check_fc() noexcept
 {
-    fc::reader line;
+    fc_reader line;
     for (auto const telegram : vectors::all_fc) {
         check_fc_telegram(telegram);
         check_fc_stream(line, telegram);
