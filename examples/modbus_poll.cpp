@@ -467,8 +467,8 @@ int run(arguments words)
 
     auto port = support::serial_port::open(given.device, given.baud, given.format);
     if (not port) { throw std::system_error{errno, std::generic_category(), given.device}; }
-    auto const line    = *rtu::timing::make(given.baud, given.format);
-    given.line.silence = std::max(given.line.silence, std::chrono::microseconds{line.inter_frame()});
+    support::rtu_line const line{given.baud, given.format};
+    given.line.silence = std::max(given.line.silence, std::chrono::microseconds{line.silence()});
     if (given.silence) { given.line.silence = std::chrono::microseconds{*given.silence}; }
     support::client client{std::move(*port), line, given.line};
     if (given.verbose) {

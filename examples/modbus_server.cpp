@@ -9,6 +9,7 @@
 #include "support/arguments.hpp"
 #include "support/data_model.hpp"
 #include "support/line_server.hpp"
+#include "support/rtu_line.hpp"
 #include "support/server_counters.hpp"
 
 #include <drivecodec/modbus.hpp>
@@ -25,6 +26,9 @@ namespace modbus = drivecodec::modbus;
 namespace rtu    = modbus::rtu;
 
 namespace {
+
+using line_options = support::line_options<support::rtu_line>;
+using line_server  = support::line_server<support::rtu_line>;
 
 template <std::size_t N>
 [[nodiscard]] consteval std::array<std::uint8_t, N - 1> ascii(char const (&text)[N])
@@ -302,7 +306,7 @@ private:
     device              device_;
 };
 
-void print(support::line_server const& server, support::server_counters const& own)
+void print(line_server const& server, support::server_counters const& own)
 {
     auto const& line = server.counters();
     std::cout << "on the line: " << line.frames << " frames, " << line.dropped_bytes << " bytes dropped in "
@@ -323,7 +327,7 @@ constexpr auto usage = R"(usage: modbus_server [options]
 constexpr rtu::server_address default_address{1};
 
 struct options {
-    support::line_options      line;
+    line_options               line;
     rtu::server_address        address = default_address;
     support::data_model::sizes sizes;
 };
@@ -358,7 +362,7 @@ options parse(support::arguments words)
 int run(options const& given)
 {
     line_device          served{given.address, device{support::data_model{given.sizes}}};
-    support::line_server server{given.line, given.address};
+    line_server          server{given.line, given.address};
     try {
         server.run(served);
     } catch (std::system_error const&) {
@@ -377,7 +381,8 @@ int main(int argc, char** argv)
     try {
         return run(parse({argc, argv}));
     } catch (support::usage_error const& fault) {
-        std::cerr << "modbus_server: " << fault.what() << '\n' << usage << support::line_options::usage << '\n';
+        std::cerr << "modbus_server: " << fault.what() << '\n'
+                  << usage << line_options::usage() << '\n';
     } catch (std::exception const& fault) {
         std::cerr << "modbus_server: " << fault.what() << '\n';
     }

@@ -9,6 +9,7 @@
 // for a fault, s for the STOP key, l for local and remote. SIGUSR1 is a fault too. It ends with Ctrl-C.
 #include "support/arguments.hpp"
 #include "support/line_server.hpp"
+#include "support/rtu_line.hpp"
 #include "support/xd1000_drive.hpp"
 
 #include <drivecodec/text/cia402.hpp>
@@ -24,6 +25,9 @@
 namespace rtu = drivecodec::modbus::rtu;
 
 namespace {
+
+using line_options = support::line_options<support::rtu_line>;
+using line_server  = support::line_server<support::rtu_line>;
 
 std::sig_atomic_t volatile fault_signal = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
 
@@ -96,7 +100,7 @@ constexpr auto usage = R"(usage: xd1000_simulator [options]
 constexpr rtu::server_address default_address{1};
 
 struct options {
-    support::line_options           line;
+    line_options                    line;
     rtu::server_address             address = default_address;
     support::xd1000_drive::settings drive;
 };
@@ -132,12 +136,13 @@ int main(int argc, char** argv)
     try {
         auto const           given = parse({argc, argv});
         line_drive           drive{given.address, given.drive};
-        support::line_server server{given.line, given.address};
+        line_server          server{given.line, given.address};
         constexpr auto       idle = 10'000;  // microseconds: how often the motor's speed is reckoned anew
         server.run(drive, idle);
         return 0;
     } catch (support::usage_error const& fault) {
-        std::cerr << "xd1000_simulator: " << fault.what() << '\n' << usage << support::line_options::usage << '\n';
+        std::cerr << "xd1000_simulator: " << fault.what() << '\n'
+                  << usage << line_options::usage() << '\n';
     } catch (std::exception const& fault) {
         std::cerr << "xd1000_simulator: " << fault.what() << '\n';
     }

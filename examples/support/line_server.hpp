@@ -4,8 +4,7 @@
 #include "support/arguments.hpp"
 #include "support/serial_port.hpp"
 
-#include <drivecodec/modbus.hpp>
-#include <drivecodec/text/modbus.hpp>
+#include <drivecodec/text/core.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,9 +24,6 @@
 
 namespace support {
 
-namespace modbus = drivecodec::modbus;
-namespace rtu    = modbus::rtu;
-
 /// Ctrl-C and `kill` end `line_server::run`.
 class stop_signal {
 public:
@@ -44,39 +40,40 @@ private:
     static inline std::sig_atomic_t volatile arrived = 0;
 };
 
-/// What the command lines of all servers have in common.
+/// What the command lines of all servers have in common. `Line` is what is spoken, as rtu_line or fc_line.
+template <typename Line>
 struct line_options {
     std::string                  device;  // empty: a pseudo-terminal
     std::string                  link;
     std::string                  log;
-    std::uint32_t                baud   = 19200;
-    rtu::character_format        format = rtu::format_8e1;
+    Line                         line;
     std::optional<std::uint32_t> silence;  // microseconds
     bool                         verbose = false;
 
-    static constexpr auto usage = R"(
+    [[nodiscard]] static std::string usage()
+    {
+        return std::string{R"(
   --device PATH     a serial device; without it, a pseudo-terminal is opened and its path printed
   --link PATH       a symbolic link to the device
-  --baud N          (19200)
-  --format 8E1      data bits, parity, stop bits (8E1)
-  --silence N       microseconds that end a frame (3.5 characters); more for adapters that deliver bytes in lumps
+)"} + Line::usage
+               + R"(
+  --silence N       microseconds that end a frame ()"
+               + Line::usual_silence + R"(); more for adapters that deliver bytes in lumps
   --log FILE        writes every frame as a line of hex digits
   --verbose         prints every frame in words)";
+    }
 
     /// Takes the option `word` if it is one of these.
     [[nodiscard]] bool take(std::string const& word, arguments& rest)
     {
         auto const value = [&] { return rest.next("the value of " + word); };
+        if (line.take(word, rest)) { return true; }
         if (word == "--device") {
             device = value();
         } else if (word == "--link") {
             link = value();
         } else if (word == "--log") {
             log = value();
-        } else if (word == "--baud") {
-            baud = to<std::uint32_t>(value(), 1);
-        } else if (word == "--format") {
-            format = to_format(value());
         } else if (word == "--silence") {
             silence = to<std::uint32_t>(value(), 1);
         } else if (word == "--verbose") {
@@ -113,16 +110,18 @@ private:
 
 /// Carries frames between a line and a device, which has
 ///
-///   bytes answer(rtu::frame const&, mutable_bytes room)   the reply to a frame on the line, or nothing
+///   bytes answer(Line::frame const&, mutable_bytes room)  the reply to a frame on the line, or nothing
 ///   void  hear(drivecodec::dropped_bytes const&)          noise
 ///   void  go_on()                                         called again and again, at least every `idle` microseconds
+template <typename Line>
 class line_server {
 public:
+    using frame = typename Line::frame;
+
     /// Opens the line, links to it and prints its path. Throws std::system_error if it cannot.
-    line_server(line_options const& given, rtu::server_address own)
-        : port_{open(given)}, link_{given.link, port_.name()},
-          silence_{given.silence.value_or(rtu::timing::make(given.baud, given.format)->inter_frame())},
-          verbose_{given.verbose}, reader_{rtu::expecting::either, own}
+    line_server(line_options<Line> const& given, typename Line::address own)
+        : port_{open(given)}, link_{given.link, port_.name()}, silence_{given.silence.value_or(given.line.silence())},
+          verbose_{given.verbose}, reader_{Line::reader_of(own)}
     {
         if (not given.log.empty()) { log_.open(given.log); }
         std::cout << port_.name() << std::endl;
@@ -161,10 +160,10 @@ public:
     [[nodiscard]] auto const& counters() const noexcept { return reader_.counters(); }
 
 private:
-    [[nodiscard]] static serial_port open(line_options const& given)
+    [[nodiscard]] static serial_port open(line_options<Line> const& given)
     {
         auto port = given.device.empty() ? serial_port::pseudo_terminal()
-                                         : serial_port::open(given.device, given.baud, given.format);
+                                         : serial_port::open(given.device, given.line.baud, given.line.format);
         if (not port) { fail(given.device); }
         return std::move(*port);
     }
@@ -176,16 +175,16 @@ private:
 
     void send()
     {
-        show("-> ", {.raw = reply_, .direction = modbus::direction::response, .aligned = true});
+        show("-> ", Line::response(reply_));
         if (not port_.write_all(std::exchange(reply_, {}))) { fail(port_.name()); }
     }
 
-    void show(char const* way, rtu::frame const& found)
+    void show(char const* way, frame const& found)
     {
         write_log(found.raw);
         if (not verbose_) { return; }
-        std::array<char, 400> text{};
-        std::cout << way << rtu::describe(found, text) << std::endl;
+        std::array<char, 1200> text{};
+        std::cout << way << Line::describe(found, text) << std::endl;
     }
 
     void show(drivecodec::dropped_bytes const& noise)
@@ -198,19 +197,19 @@ private:
     void write_log(drivecodec::bytes raw)
     {
         if (not log_.is_open()) { return; }
-        std::array<char, 3 * rtu::max_adu_size> digits{};
+        std::array<char, 3 * Line::max_size> digits{};
         log_ << drivecodec::text_writer{digits}.hex(raw).view() << std::endl;
     }
 
-    serial_port                                 port_;
-    symbolic_link                               link_;
-    std::uint32_t                               silence_;
-    bool                                        verbose_;
-    bool                                        is_silent_ = true;
-    std::ofstream                               log_;
-    rtu::reader                                 reader_;
-    std::array<std::uint8_t, rtu::max_adu_size> room_{};
-    drivecodec::bytes                           reply_{};  // waits to be sent
+    serial_port                              port_;
+    symbolic_link                            link_;
+    std::uint32_t                            silence_;
+    bool                                     verbose_;
+    bool                                     is_silent_ = true;
+    std::ofstream                            log_;
+    typename Line::reader                    reader_;
+    std::array<std::uint8_t, Line::max_size> room_{};
+    drivecodec::bytes                        reply_{};  // waits to be sent
 };
 
 }  // namespace support
