@@ -22,10 +22,14 @@ void a_word_must_be_between_minus_32768_and_65535();
 struct word_value {
     std::uint16_t raw;
 
-    /// A constant; one that has no 16 bits does not compile.
-    consteval word_value(int number) : raw{static_cast<std::uint16_t>(number)}
+    /// A constant; one that has no 16 bits does not compile. Of its own type: 0xFFFF'FFFF as an int would be -1.
+    template <std::integral T>
+        requires(sizeof(T) > 2)
+    consteval word_value(T number) : raw{static_cast<std::uint16_t>(number)}
     {
-        if (number < -0x8000 or number > 0xFFFF) { compile_error::a_word_must_be_between_minus_32768_and_65535(); }
+        if (number > T{0xFFFF} or (std::is_signed_v<T> and number < static_cast<T>(-0x8000))) {
+            compile_error::a_word_must_be_between_minus_32768_and_65535();
+        }
     }
     template <parameter_integer T>
         requires(sizeof(T) <= 2)
