@@ -111,7 +111,7 @@ TEST(fc_framing, has_the_length_that_lge_says)
     VERIFY(framing<>{}.length(bytes{process}.first(2), 0) == message_length::exactly(8));
     VERIFY(framing<>{}.length(bytes{parameter}.first(2), 0) == message_length::exactly(16));
     VERIFY(framing<>::min_frame_size == 8 and framing<>::max_frame_size == 256 and framing<>::max_readings == 1);
-    VERIFY(framing<four_words>::min_frame_size == 12);
+    VERIFY(framing<four_words>::min_frame_size == 8);  // what another layout has is shown, as of an unknown kind
 }
 
 TEST(fc_framing, verifies_the_bcc)

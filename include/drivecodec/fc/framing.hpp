@@ -57,7 +57,7 @@ public:
     using frame = fc::frame;
 
     static constexpr unsigned    max_readings   = 1;
-    static constexpr std::size_t min_frame_size = layout::telegram::around + Layout::process_size;
+    static constexpr std::size_t min_frame_size = layout::telegram::around + vlt_layout::process_size;  // of any layout
     static constexpr std::size_t max_frame_size = max_telegram_size;
 
     constexpr framing() noexcept = default;

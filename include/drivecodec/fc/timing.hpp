@@ -16,7 +16,7 @@ void baud_rate_must_be_positive();
 /// "Contents of a character (byte)".
 inline constexpr std::uint32_t bits_per_character = 11;
 
-/// Of parameter 502, and those of newer FC guides. Others work as well.
+/// Of parameter 502, in the order of its choices, and those of newer FC guides. Others work as well.
 inline constexpr std::array<std::uint32_t, 6> vlt_baud_rates{300, 600, 1200, 2400, 4800, 9600};
 inline constexpr std::array<std::uint32_t, 7> fc_baud_rates{2400, 4800, 9600, 19200, 38400, 57600, 115200};
 

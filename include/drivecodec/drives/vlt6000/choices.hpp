@@ -2,6 +2,7 @@
 #pragma once
 
 #include <drivecodec/core/result.hpp>
+#include <drivecodec/fc/timing.hpp>
 
 #include <array>
 
@@ -51,15 +52,9 @@ inline constexpr std::array<std::uint16_t, 6> baud_rate_codes{0, 1, 2, 3, 4, 5};
 /// Errors: `bad_value` at 0 for an unknown code.
 [[nodiscard]] constexpr result<std::uint32_t> bits_per_second(baud_rate code) noexcept
 {
-    switch (code) {
-    case baud_rate::baud_300: return 300U;
-    case baud_rate::baud_600: return 600U;
-    case baud_rate::baud_1200: return 1200U;
-    case baud_rate::baud_2400: return 2400U;
-    case baud_rate::baud_4800: return 4800U;
-    case baud_rate::baud_9600: return 9600U;
-    }
-    return error{errc::bad_value, 0};
+    auto const number = static_cast<std::size_t>(code);
+    if (number >= fc::vlt_baud_rates.size()) { return error{errc::bad_value, 0}; }
+    return fc::vlt_baud_rates[number];
 }
 
 //=== of which the manual names only some ===//
