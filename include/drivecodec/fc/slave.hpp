@@ -117,7 +117,7 @@ template <typename Layout = vlt_layout, typename Handler>
     auto const kind     = received.template kind<Layout>();
     if ((not to.is_broadcast() and to.number() != own.number()) or kind == data_kind::unknown) { return {}; }
 
-    std::array<std::uint8_t, at::around + Layout::parameter_size> nobody{};  // hears what is written here
+    std::array<std::uint8_t, at::around + Layout::parameter_size> nobody;  // hears what is written here
 
     auto const is_silent = to.is_broadcast() or reply.size() < nobody.size();
     auto const out       = is_silent ? mutable_bytes{nobody} : first_at_most(reply, max_telegram_size);
