@@ -54,9 +54,9 @@ enum class listens_for { either, requests, responses };
 
 template <std::size_t ProcessWords = 2, int NumberBits = 11>
 struct rules_of {
-    static constexpr std::size_t min_size       = 4 + 2 * ProcessWords;
+    static constexpr std::size_t min_size       = 8;  // of any layout
     static constexpr std::size_t max_size       = 256;
-    static constexpr std::size_t parameter_size = min_size + 8;  // of a whole telegram
+    static constexpr std::size_t parameter_size = 12 + 2 * ProcessWords;  // of a whole telegram
 
     listens_for        to         = listens_for::either;
     int                own_number = 0;
