@@ -37,6 +37,15 @@ inline constexpr int response = 2;
     return made;
 }
 
+/// The telegram with this byte instead, and a right BCC.
+[[nodiscard]] inline byte_list with_byte(bytes telegram, std::size_t at, unsigned byte)
+{
+    byte_list made{telegram.begin(), telegram.end()};
+    made[at]    = static_cast<std::uint8_t>(byte);
+    made.back() = bcc(bytes{made}.first(made.size() - 1));
+    return made;
+}
+
 /// "bit 5 = 1: broadcast" in the format 1-31, "bit 0-6 = 0: broadcast" in the format 1-126.
 [[nodiscard]] inline bool is_broadcast(int adr)
 {
