@@ -57,16 +57,18 @@ inline constexpr std::array<std::uint16_t, 16> answering = [] {
 inline constexpr error other_parameter{errc::unexpected_reply, layout::telegram::data + layout::parameter::pke.begin};
 inline constexpr error other_element{errc::unexpected_reply, layout::telegram::data + layout::parameter::ind.begin};
 
-/// One function for all requests with a PKE, for the sake of firmware. `number_bits` is what belongs to the number.
-[[nodiscard]] constexpr error match_pke(pke asked, unsigned number_bits, bytes wire) noexcept
+/// One function for all requests with a PKE, for the sake of firmware.
+template <typename Layout>
+[[nodiscard]] constexpr error match_pke(pke asked, bytes wire) noexcept
 {
-    namespace at       = layout::parameter;
-    auto const data    = data_of(wire);
-    auto const given   = pke::from_raw(at::pke.load(data));
-    auto const command = asked.get(pke::command);
-    auto const reply   = given.get(pke::reply);
+    namespace at           = layout::parameter;
+    auto const number_bits = basic_parameter_number<Layout>::last;
+    auto const data        = data_of(wire);
+    auto const given       = pke::from_raw(at::pke.load(data));
+    auto const command     = asked.get(pke::command);
+    auto const reply       = given.get(pke::reply);
     if (command != ak_command::no_command and ((given.raw ^ asked.raw) & number_bits) != 0) { return other_parameter; }
-    if (reply == ak_reply::cannot_be_executed and data.size() >= at::process) {
+    if (reply == ak_reply::cannot_be_executed and data.size() == Layout::parameter_size) {  // else there is no PWE
         return reply_error{parameter_error{at::pwe_low.load(data)}};
     }
     return answers(reply, command) ? error{} : other_parameter;
@@ -81,7 +83,7 @@ template <typename Layout>
 template <typename Layout>
 [[nodiscard]] constexpr error match(basic_parameter_request<Layout> const& asked, bytes wire) noexcept
 {
-    auto const fault = match_pke(asked.pke, basic_parameter_number<Layout>::last, wire);
+    auto const fault = match_pke<Layout>(asked.pke, wire);
     if (not fault.ok()) { return fault; }
     // The manual does not say that IND is repeated; but the value of another element answers another request.
     auto const index = ind::from_raw(layout::parameter::ind.load(data_of(wire))).get(ind::array_index);
@@ -92,7 +94,7 @@ template <typename Layout, typename Text>
 [[nodiscard]] constexpr error match(basic_text_data<Layout, basic_process_command<Layout>, Text> const& asked,
                                     bytes                                                               wire) noexcept
 {
-    return match_pke(asked.pke, basic_parameter_number<Layout>::last, wire);
+    return match_pke<Layout>(asked.pke, wire);
 }
 
 /// What is wrong with the telegram of a response, up to its data.
