@@ -1,14 +1,11 @@
 // The stream reader against a second, slow one, which looks at all the bytes that have come each time: frames, runs of
 // dropped bytes, their order and the counters are the same, however the stream is cut into chunks.
 //
-// Input: what to expect and how to feed, own address, how many events, the events (bytes to wait, kind), the stream.
-#include "fuzz_common.hpp"
-#include "input.hpp"
+// Input: see stream.hpp.
 #include "repair_crc16.hpp"
+#include "stream.hpp"
 
 #include <drivecodec/modbus/rtu/reader.hpp>
-
-#include <vector>
 
 namespace {
 
@@ -17,68 +14,18 @@ namespace rtu    = modbus::rtu;
 using drivecodec::bytes;
 using drivecodec::errc;
 using modbus::direction;
-
-enum class event_kind : std::uint8_t { chunk, silence, timeout };
-
-struct event {
-    std::size_t at;
-    event_kind  kind;
-};
-
-/// How the library's reader gets its bytes.
-enum class feeding : std::uint8_t {
-    byte_by_byte,  // and looks after each
-    in_chunks,     // as the events tell
-    until_full,    // looks only when there is no room, or when it must
-    committed,     // in pieces straight into the buffer
-};
-
-struct item {
-    bool        is_frame  = false;
-    std::size_t begin     = 0;
-    std::size_t size      = 0;
-    errc        reason    = errc::none;            // of dropped bytes
-    direction   read_as   = direction::request;    // of a frame
-    bool        aligned   = false;
-
-    friend bool operator==(item const&, item const&) = default;
-};
-
-struct scenario {
-    rtu::expecting     what = rtu::expecting::either;
-    std::uint8_t       own  = 0;
-    feeding            how  = feeding::in_chunks;
-    std::vector<event> events;
-    bytes              stream;
-};
-
-constexpr std::size_t max_events = 32;
-
-[[nodiscard]] scenario parse(fuzz_input input)
-{
-    scenario   made;
-    auto const what = input.u8();
-    made.what       = static_cast<rtu::expecting>(what % 3);
-    made.how        = static_cast<feeding>(1 + what / 3 % 3);
-    made.own        = input.u8();
-    auto const  count = input.u8() % max_events;
-    std::size_t at    = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        at += input.u8();
-        auto const kind = input.u8() % 4;
-        made.events.push_back({at, kind == 3 ? event_kind::silence : static_cast<event_kind>(kind)});
-    }
-    made.stream = input.rest();
-    for (auto& e : made.events) { e.at = e.at < made.stream.size() ? e.at : made.stream.size(); }
-    made.events.push_back({made.stream.size(), event_kind::silence});
-    return made;
-}
+using stream::event;
+using stream::event_kind;
+using stream::item;
+using stream::scenario;
 
 //=== the slow reader ===//
 
 class slow_reader {
 public:
-    slow_reader(scenario const& told) : what_{told.what}, own_{told.own}, stream_{told.stream} {}
+    slow_reader(scenario const& told)
+        : what_{static_cast<rtu::expecting>(told.what)}, own_{told.own}, stream_{told.stream}
+    {}
 
     void on(event e)
     {
@@ -166,7 +113,7 @@ private:
     void give_frame(reading const& chosen)
     {
         give_run();
-        items.push_back({true, front_, chosen.size, errc::none, chosen.read_as, not unaligned_});
+        items.push_back({true, front_, chosen.size, errc::none, static_cast<int>(chosen.read_as), not unaligned_});
         auto const frame = stream_.subspan(front_, chosen.size);
         asked_           = chosen.read_as == direction::request and frame[0] != 0
                  and not(frame[1] == 8 and frame.size() >= 6 and frame[2] == 0 and frame[3] == 4);
@@ -202,144 +149,26 @@ private:
     int            asked_function_ = 0;
 };
 
-//=== the library's ===//
-
-class fast_reader {
-public:
-    fast_reader(scenario const& told, feeding how) : stream_{told.stream}, how_{how}
+struct frames {
+    [[nodiscard]] static int direction_of(rtu::frame const& found)
     {
-        reader_ = told.own == 0 ? rtu::reader{told.what} : rtu::reader{told.what, rtu::server_address::reserved(told.own)};
+        auto const raw = found.raw;
+        FUZZ_ASSERT(has_reference_crc16(raw) and raw.size() >= 4 and raw.size() <= 256);
+        FUZZ_ASSERT(found.address() == raw[0] and modbus::to_byte(found.function()) == (raw[1] & 0x7F));
+        FUZZ_ASSERT(found.is_exception() == (raw[1] >= 0x80) and found.pdu().size() == raw.size() - 3);
+        return static_cast<int>(found.direction);
     }
-
-    void on(event e)
-    {
-        feed(stream_.subspan(fed_, e.at - fed_));
-        fed_ = e.at;
-        switch (e.kind) {
-        case event_kind::chunk:
-            if (how_ != feeding::until_full) { look(); }
-            break;
-        case event_kind::silence:
-            reader_.silence();
-            if (how_ == feeding::until_full and reader_.prepare().empty()) {
-                FUZZ_ASSERT(reader_.push(stream_.subspan(fed_)).size() == stream_.size() - fed_);
-            }
-            look();
-            break;
-        case event_kind::timeout:
-            look();
-            reader_.request_timed_out();
-            look();
-            break;
-        }
-    }
-
-    [[nodiscard]] drivecodec::stream_counters const& counters() const { return reader_.counters(); }
-
-    std::vector<item> items;
-
-private:
-    void feed(bytes rest)
-    {
-        while (not rest.empty()) {
-            auto const before = rest.size();
-            switch (how_) {
-            case feeding::byte_by_byte:
-                FUZZ_ASSERT(reader_.push(rest.first(1)).empty());
-                rest = rest.subspan(1);
-                look();
-                break;
-            case feeding::in_chunks:
-            case feeding::until_full:
-                rest = reader_.push(rest);
-                if (not rest.empty()) { look(); }
-                break;
-            case feeding::committed: {
-                auto const room = reader_.prepare();
-                auto const size = rest.size() < room.size() ? rest.size() : room.size();
-                auto const part = size > 7 ? size - size / 3 : size;
-                drivecodec::copy_bytes(rest.first(part), room);
-                reader_.commit(part);
-                rest = rest.subspan(part);
-                look();
-                break;
-            }
-            }
-            FUZZ_ASSERT(rest.size() < before or how_ == feeding::in_chunks or how_ == feeding::until_full);
-            stuck_ = rest.size() < before ? 0 : stuck_ + 1;
-            FUZZ_ASSERT(stuck_ < 2);  // there is room after `next` has given all it has
-        }
-    }
-
-    void look()
-    {
-        while (auto const next = reader_.next()) {
-            item found{.begin = given_};
-            bytes raw;
-            if (auto const* frame = next.frame()) {
-                raw            = frame->raw;
-                found.is_frame = true;
-                found.read_as  = frame->direction;
-                found.aligned  = frame->aligned;
-                FUZZ_ASSERT(has_reference_crc16(raw) and raw.size() >= 4 and raw.size() <= 256);
-                FUZZ_ASSERT(frame->address() == raw[0] and modbus::to_byte(frame->function()) == (raw[1] & 0x7F));
-                FUZZ_ASSERT(frame->is_exception() == (raw[1] >= 0x80) and frame->pdu().size() == raw.size() - 3);
-            } else {
-                FUZZ_ASSERT(next.dropped() != nullptr);
-                raw          = next.dropped()->raw;
-                found.reason = next.dropped()->reason;
-                FUZZ_ASSERT(not raw.empty() and raw.size() <= rtu::reader::max_run);
-            }
-            found.size = raw.size();
-            FUZZ_ASSERT(given_ + raw.size() <= stream_.size());
-            FUZZ_ASSERT(drivecodec::same_bytes(raw, stream_.subspan(given_, raw.size())));  // each byte, once, in order
-            given_ += raw.size();
-            items.push_back(found);
-        }
-    }
-
-    rtu::reader reader_;
-    bytes       stream_;
-    feeding     how_;
-    std::size_t fed_ = 0, given_ = 0;
-    unsigned    stuck_ = 0;
 };
-
-[[nodiscard]] drivecodec::stream_counters count(std::vector<item> const& items)
-{
-    drivecodec::stream_counters counted;
-    for (auto const& i : items) {
-        if (i.is_frame) {
-            ++counted.frames;
-            counted.unaligned_frames += i.aligned ? 0 : 1;
-        } else {
-            ++counted.dropped_runs;
-            counted.dropped_bytes += static_cast<std::uint32_t>(i.size);
-            counted.bad_checksums += i.reason == errc::bad_checksum ? 1 : 0;
-            counted.truncated += i.reason == errc::truncated ? 1 : 0;
-        }
-    }
-    return counted;
-}
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
-    auto const  told = parse({data, size});
-    slow_reader slow{told};
-    for (auto const& e : told.events) { slow.on(e); }
-
-    std::size_t given = 0;
-    for (auto const& i : slow.items) { given += i.size; }
-    FUZZ_ASSERT(given == told.stream.size());
-
-    for (auto const how : {feeding::byte_by_byte, told.how}) {
-        fast_reader fast{told, how};
-        for (auto const& e : told.events) { fast.on(e); }
-        FUZZ_ASSERT(fast.items == slow.items);
-        FUZZ_ASSERT(fast.counters() == count(slow.items));
-    }
+    auto const told = stream::parse({data, size});
+    auto const what = static_cast<rtu::expecting>(told.what);
+    stream::compare<frames>(
+        told.own == 0 ? rtu::reader{what} : rtu::reader{what, rtu::server_address::reserved(told.own)}, told,
+        slow_reader{told});
     return 0;
 }
 
@@ -349,24 +178,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 
 namespace {
 
-class dice {
-public:
-    explicit dice(unsigned seed) : state_{seed * 2654435761U + 1} {}
-
-    /// 0 to `limit` - 1.
-    unsigned below(unsigned limit)
-    {
-        state_ = state_ * 1664525U + 1013904223U;
-        return (state_ >> 16) % limit;
-    }
-    std::uint8_t byte() { return static_cast<std::uint8_t>(below(256)); }
-
-private:
-    std::uint32_t state_;
-};
-
 /// A frame of a length that its header announces; its fields are anything.
-std::vector<std::uint8_t> any_frame(dice& roll)
+std::vector<std::uint8_t> any_frame(stream::dice& roll)
 {
     constexpr std::uint8_t functions[] = {0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x0B, 0x0C, 0x0F, 0x10,
                                           0x11, 0x14, 0x15, 0x16, 0x17, 0x18, 0x2B, 0x2B, 0x41, 0x83, 0xAB};
@@ -395,19 +208,7 @@ std::vector<std::uint8_t> any_frame(dice& roll)
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed)
 {
-    dice roll{seed};
-    auto mutated = roll.below(3) != 0 ? LLVMFuzzerMutate(data, size, max_size) : size;
-    for (auto planted = roll.below(4); planted > 0; --planted) {
-        if (mutated < 3 or (mutated > 200 and roll.below(8) != 0)) { break; }  // the shorter, the more in a second
-        auto const begin = std::size_t{3} + 2 * (data[2] % max_events);
-        auto const frame = any_frame(roll);
-        if (begin > mutated or frame.size() > max_size - mutated) { break; }
-        auto const at = roll.below(3) == 0 ? begin + roll.below(static_cast<unsigned>(mutated - begin + 1)) : mutated;
-        for (auto i = mutated; i > at; --i) { data[i - 1 + frame.size()] = data[i - 1]; }
-        drivecodec::copy_bytes(frame, std::span{data + at, frame.size()});
-        mutated += frame.size();
-    }
-    return mutated;
+    return stream::plant(data, size, max_size, seed, LLVMFuzzerMutate, any_frame);
 }
 
 #endif
