@@ -1,7 +1,8 @@
 #pragma once
 
-// STX, a length that fits, and a BCC hide everything behind them from a fuzzer, so the mutators of fuzzers whose input
-// ends with an FC telegram repair them, in seven of eight. Their own arithmetic, so that the library is not its own judge.
+// STX, a length that fits and a BCC hide everything behind them from a fuzzer, so the mutators of fuzzers whose input
+// ends with an FC telegram repair them, in seven of eight. Their own arithmetic, so that the library is not its own
+// judge.
 
 #include <cstddef>
 #include <cstdint>
@@ -32,8 +33,8 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed);
 
-/// The telegram behind `head` bytes, of which the sender is the slave `adr`, or anybody if that is 0: often STX and LGE,
-/// sometimes cut or filled up with zeros to process data or a parameter, sometimes ADR, nearly always BCC.
+/// The telegram behind `head` bytes: often STX and LGE, sometimes cut or filled up with zeros to process data or a
+/// parameter, often ADR unless `adr` is 0, nearly always BCC.
 inline std::size_t repair_telegram(std::uint8_t* data, std::size_t head, std::size_t size, std::size_t max_size,
                                    unsigned seed, std::uint8_t adr = 0)
 {
