@@ -24,7 +24,7 @@ public:
         if constexpr (sizeof(T) == 4) {
             return {ak_reply::double_word, static_cast<std::uint32_t>(number)};
         } else {
-            return {ak_reply::word, static_cast<std::uint16_t>(number)};
+            return {ak_reply::word, static_cast<std::uint32_t>(number) & 0xFFFFU};
         }
     }
 
