@@ -1,0 +1,10 @@
+// EXPECT: address_0_is_no_slave_a_broadcast_is_written_as_such
+#include <drivecodec/fc/address.hpp>
+
+using namespace drivecodec::fc;
+
+#ifdef OK
+constexpr auto all = short_broadcast;
+#else
+constexpr auto all = address::short_format(0);
+#endif
