@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes of a Modbus RTU line, in hexadecimal or live from a serial device, as readable frames: `decode --help`.
+// Bytes of a Modbus RTU or FC line, in hexadecimal or live from a serial device, as readable frames: `decode --help`.
 #include "support/arguments.hpp"
+#include "support/auto_decoder.hpp"
+#include "support/fc_decoder.hpp"
 #include "support/hex.hpp"
-#include "support/modbus_json.hpp"
+#include "support/modbus_decoder.hpp"
 #include "support/serial_port.hpp"
-#include "support/xd1000_traffic.hpp"
 
-#include <drivecodec/modbus/rtu/reader.hpp>
+#include <drivecodec/fc/timing.hpp>
+#include <drivecodec/text/fc.hpp>
 #include <drivecodec/text/modbus.hpp>
 
 #include <algorithm>
@@ -17,19 +19,19 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace {
 
-namespace modbus = drivecodec::modbus;
-namespace rtu    = drivecodec::modbus::rtu;
-using drivecodec::bytes;
+namespace fc  = drivecodec::fc;
+namespace rtu = drivecodec::modbus::rtu;
 
-constexpr auto usage = R"(Prints the Modbus RTU frames in bytes given in hexadecimal, or on a serial line.
+constexpr auto usage =
+    R"(Prints the Modbus RTU frames, or FC telegrams, in bytes given in hexadecimal, or on a serial line.
 
     decode [options] HEX...           all arguments together are one line
     decode [options] < FILE           lines of hexadecimal; # begins a comment
@@ -37,15 +39,24 @@ constexpr auto usage = R"(Prints the Modbus RTU frames in bytes given in hexadec
 
 The end of a line is a silence of the bus. A response is read in the light of the request before it.
 
+    --protocol P     modbus (default), fc for the FC protocol of Danfoss drives, or auto to find out
     --expect WHAT    request, response or either (default) is what is on the line
     --json           one JSON object a line
     --drive xd1000   names the registers of this drive and explains their values; not with --json
-    --baud N         of the device (default 19200)
+    --pcd N          words of process data in an FC telegram, 2 (default) to 16
+    --pnu-bits N     bits of an FC parameter number, 11 (default), or 12 as in newer drives
+    --baud N         of the device (default 19200, for fc 9600)
     --format 8E1     of the device: data bits, parity (N, E, O), stop bits
-    --silence US     what ends a frame on the device, in microseconds; default: 3.5 characters, at least 20 000,
-                     since USB adapters hold bytes back for up to 16 ms
+    --silence US     what ends a frame on the device, in microseconds; default: 3.5 characters, for fc 2, at least
+                     20 000, since USB adapters hold bytes back for up to 16 ms
     --timeout MS     a request without a response for so long on the device was not answered (default 1000)
     --help
+
+With --protocol auto the first frame with a right CRC tells that it is Modbus, and two telegrams with a right BCC, of
+which no such frame begins before the end, that it is FC; for the rest of the input it is that. Until then nothing is
+printed. Where 4096 bytes have not told, they are printed as dropped bytes, and the search begins anew. Bytes that are
+both are Modbus. In hexadecimal, at the end of the input, one FC telegram is enough if it stands at the begin of a line;
+live it is not.
 
 Exit status: 0, 1 if bytes were dropped that belong to no frame, 2 for wrong usage or bad hexadecimal.
 )";
@@ -54,13 +65,15 @@ constexpr int nothing_dropped = 0;
 constexpr int bytes_dropped   = 1;
 constexpr int wrong_usage     = 2;  // and whatever else keeps the program from its work
 
+enum class protocol { modbus, fc, unknown };
+
 struct options {
-    rtu::expecting               expect = rtu::expecting::either;
-    bool                         json   = false;
-    bool                         help   = false;
-    bool                         xd1000 = false;
+    ::protocol                   protocol = protocol::modbus;
+    support::modbus_options      modbus;
+    support::fc_options          fc;
+    bool                         help = false;
     std::string                  device;
-    std::uint32_t                baud   = 19200;
+    std::optional<std::uint32_t> baud;
     rtu::character_format        format = rtu::format_8e1;
     std::optional<std::uint32_t> silence;  // microseconds
     std::uint32_t                timeout = 1000;
@@ -69,9 +82,18 @@ struct options {
 
 //=== command line ===//
 
-rtu::expecting to_expecting(std::string const& word)
+protocol to_protocol(std::string const& word)
 {
-    for (auto const what : {rtu::expecting::either, rtu::expecting::request, rtu::expecting::response}) {
+    if (word == "modbus") { return protocol::modbus; }
+    if (word == "fc") { return protocol::fc; }
+    if (word == "auto") { return protocol::unknown; }
+    throw support::usage_error{"'" + word + "' is none of modbus, fc, auto"};
+}
+
+template <typename Expecting>
+Expecting to_expecting(std::string const& word)
+{
+    for (auto const what : {Expecting::either, Expecting::request, Expecting::response}) {
         if (word == to_string(what)) { return what; }
     }
     throw support::usage_error{"'" + word + "' is none of request, response, either"};
@@ -94,14 +116,22 @@ options parse(support::arguments words)
         if (word == "--help") {
             chosen.help = true;
         } else if (word == "--json") {
-            chosen.json = true;
+            chosen.modbus.json = chosen.fc.json = true;
+        } else if (name == "--protocol") {
+            chosen.protocol = to_protocol(value());
         } else if (name == "--drive") {
             if (auto const drive = value(); drive != "xd1000") {
                 throw support::usage_error{"'" + drive + "' is no drive that is known here: xd1000"};
             }
-            chosen.xd1000 = true;
+            chosen.modbus.xd1000 = true;
         } else if (name == "--expect") {
-            chosen.expect = to_expecting(value());
+            auto const what      = value();
+            chosen.modbus.expect = to_expecting<rtu::expecting>(what);
+            chosen.fc.expect     = to_expecting<fc::expecting>(what);
+        } else if (name == "--pcd") {
+            chosen.fc.process_words = support::to<std::size_t>(value(), 2, 16);
+        } else if (name == "--pnu-bits") {
+            chosen.fc.parameter_bits = support::to<unsigned>(value(), 11, 12);
         } else if (name == "--device") {
             chosen.device = value();
         } else if (name == "--baud") {
@@ -119,106 +149,41 @@ options parse(support::arguments words)
     if (chosen.hex and not chosen.device.empty()) {
         throw support::usage_error{"either hexadecimal or --device, not both"};
     }
-    if (chosen.xd1000 and chosen.json) { throw support::usage_error{"either --drive or --json, not both"}; }
+    if (chosen.modbus.xd1000) {
+        if (chosen.modbus.json) { throw support::usage_error{"either --drive or --json, not both"}; }
+        if (chosen.protocol == protocol::fc) { throw support::usage_error{"an xd1000 does not have the FC protocol"}; }
+    }
     return chosen;
 }
 
 //=== what comes out ===//
 
-/// Feeds a reader and prints what it finds.
-class printer {
-public:
-    explicit printer(options const& chosen) : reader_{chosen.expect}, json_{chosen.json}, names_registers_{chosen.xd1000}
-    {}
-
-    [[nodiscard]] rtu::reader& reader() { return reader_; }
-    [[nodiscard]] bool         is_waiting_for_response() const { return not request_.empty(); }
-
-    void push(bytes received)
-    {
-        while (not received.empty()) {
-            received = reader_.push(received);
-            print_all();
-        }
+std::unique_ptr<support::decoder> make_decoder(options const& chosen)
+{
+    auto const make_modbus = [chosen](std::ostream& out) {
+        return std::make_unique<support::modbus_decoder>(chosen.modbus, out);
+    };
+    auto const make_fc = [chosen](std::ostream& out) { return support::make_fc_decoder(chosen.fc, out); };
+    switch (chosen.protocol) {
+    case protocol::modbus: return make_modbus(std::cout);
+    case protocol::fc: return make_fc(std::cout);
+    case protocol::unknown: break;
     }
+    return std::make_unique<support::auto_decoder>(make_modbus, make_fc, std::cout);
+}
 
-    void silence()
-    {
-        reader_.silence();
-        print_all();
-    }
-
-    void request_timed_out()
-    {
-        reader_.request_timed_out();
-        request_.clear();
-        print_all();
-    }
-
-    void print_all()
-    {
-        while (auto const item = reader_.next()) {
-            if (auto const* found = item.frame()) {
-                print(*found);
-            } else {
-                std::cout << (json_ ? support::to_json(*item.dropped()) : text_of(*item.dropped())) << '\n';
-            }
-        }
-        std::cout.flush();
-    }
-
-    void print_counters()
-    {
-        auto const& counted = reader_.counters();
-        std::cout << (json_ ? support::to_json(counted) : text_of(counted)) << std::endl;
-    }
-
-    [[nodiscard]] int exit_status() const
-    {
-        return reader_.counters().dropped_bytes == 0 ? nothing_dropped : bytes_dropped;
-    }
-
-private:
-    void print(rtu::frame const& found)
-    {
-        auto const is_request = found.direction == modbus::direction::request;
-        auto const is_answer  = not is_request and not request_.empty() and request_.front() == found.address();
-        auto const asked      = is_answer ? bytes{request_}.subspan(1) : bytes{};
-        if (json_) {
-            std::cout << support::to_json(found, asked) << '\n';
-        } else {
-            std::array<char, modbus::max_description_size> buffer;
-            std::cout << describe(found, buffer, asked) << '\n';
-            if (auto const meaning = names_registers_ ? drive_.explain(found, asked) : ""; not meaning.empty()) {
-                std::cout << "    " << meaning << '\n';
-            }
-        }
-        request_.clear();
-        if (is_request) {
-            auto const address_and_pdu = found.raw.first(1 + found.pdu().size());
-            request_.assign(address_and_pdu.begin(), address_and_pdu.end());
-        }
-    }
-
-    [[nodiscard]] static std::string text_of(auto const& thing)
-    {
-        std::array<char, 1024> buffer;
-        return std::string{drivecodec::describe(thing, buffer)};
-    }
-
-    rtu::reader               reader_;
-    std::vector<std::uint8_t> request_;  // address and PDU, until its response came
-    bool                      json_;
-    bool                      names_registers_;
-    support::xd1000_traffic   drive_;
-};
+int exit_status(support::decoder const& out)
+{
+    return out.counters().dropped_bytes == 0 ? nothing_dropped : bytes_dropped;
+}
 
 //=== hexadecimal ===//
 
-void decode_line(printer& out, std::string_view line, std::string const& where)
+void decode_line(support::decoder& out, std::string_view line, std::string const& where)
 {
     auto const parsed = support::parse_hex(line);
     if (parsed.column != 0) {
+        out.end(true);
         throw support::usage_error{where + "character " + std::to_string(parsed.column) + ": " + parsed.problem};
     }
     out.push(parsed.bytes);
@@ -227,24 +192,26 @@ void decode_line(printer& out, std::string_view line, std::string const& where)
 
 int decode_arguments(options const& chosen)
 {
-    printer out{chosen};
-    decode_line(out, *chosen.hex, "");
-    return out.exit_status();
+    auto const out = make_decoder(chosen);
+    decode_line(*out, *chosen.hex, "");
+    out->end(true);
+    return exit_status(*out);
 }
 
 int decode_lines(options const& chosen)
 {
-    printer     out{chosen};
+    auto const  out = make_decoder(chosen);
     std::string line;
     for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
-        decode_line(out, line, "line " + std::to_string(number) + ", ");
+        decode_line(*out, line, "line " + std::to_string(number) + ", ");
     }
-    return out.exit_status();
+    out->end(true);
+    return exit_status(*out);
 }
 
 //=== a live line ===//
 
-volatile std::sig_atomic_t& stopped()
+std::sig_atomic_t volatile& stopped()
 {
     static volatile std::sig_atomic_t flag = 0;
     return flag;
@@ -255,45 +222,54 @@ void stop(int)
     stopped() = 1;
 }
 
+/// Behind which a frame begins anew, in microseconds.
+std::uint32_t silence_at(options const& chosen, std::uint32_t baud)
+{
+    constexpr std::uint32_t usb_latency = 20'000;
+    auto const              by_protocol = chosen.protocol == protocol::fc ? fc::timing::make(baud)->pause()
+                                                                          : rtu::timing::make(baud, chosen.format)->inter_frame();
+    return chosen.silence.value_or(std::max(by_protocol, usb_latency));
+}
+
 int listen(options const& chosen)
 {
-    using clock = std::chrono::steady_clock;
-    constexpr std::uint32_t usb_latency = 20'000;
-    constexpr std::uint32_t patience    = 200'000;  // to look at `stopped` on a line without traffic
+    using clock                      = std::chrono::steady_clock;
+    constexpr std::uint32_t patience = 200'000;  // to look at `stopped` on a line without traffic
 
-    auto port = support::serial_port::open(chosen.device, chosen.baud, chosen.format);
+    auto const baud = chosen.baud.value_or(chosen.protocol == protocol::fc ? 9600 : 19200);
+    auto       port = support::serial_port::open(chosen.device, baud, chosen.format);
     if (not port) {
         auto const reason = errno == EINVAL ? std::string{"not a baud rate of this device"}
                                             : std::error_code{errno, std::generic_category()}.message();
-        throw support::usage_error{"cannot open " + chosen.device + " with " + std::to_string(chosen.baud)
+        throw support::usage_error{"cannot open " + chosen.device + " with " + std::to_string(baud)
                                    + " baud: " + reason};
     }
-    auto const silence = chosen.silence.value_or(
-        std::max(rtu::timing::make(chosen.baud, chosen.format)->inter_frame(), usb_latency));
+    auto const silence = silence_at(chosen, baud);
 
     static_cast<void>(std::signal(SIGINT, stop));
     static_cast<void>(std::signal(SIGTERM, stop));
-    printer out{chosen};
-    auto    heard = clock::now();
+    auto const                    out   = make_decoder(chosen);
+    auto                          heard = clock::now();
+    std::array<std::uint8_t, 256> room;
     for (auto is_silent = true; stopped() == 0;) {
-        auto const is_idle  = is_silent and not out.is_waiting_for_response();
-        auto const received = port->read(out.reader().prepare(), is_idle ? patience : silence);
+        auto const is_idle  = is_silent and not out->is_waiting_for_response();
+        auto const received = port->read(room, is_idle ? patience : silence);
         if (not received) { break; }
-        if (out.is_waiting_for_response() and clock::now() - heard > std::chrono::milliseconds{chosen.timeout}) {
-            out.request_timed_out();
+        if (out->is_waiting_for_response() and clock::now() - heard > std::chrono::milliseconds{chosen.timeout}) {
+            out->request_timed_out();
         }
         is_silent = *received == 0;
         if (is_silent) {
-            out.silence();
+            out->silence();
         } else {
-            out.reader().commit(*received);
-            out.print_all();
+            out->push(drivecodec::bytes{room}.first(*received));
             heard = clock::now();
         }
     }
-    out.silence();
-    out.print_counters();
-    return out.exit_status();
+    out->silence();
+    out->end(false);
+    std::cout << support::line_of(out->counters(), chosen.modbus.json) << std::endl;
+    return exit_status(*out);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/core/stream_item.hpp>
 #include <drivecodec/modbus/rtu/framing.hpp>
 
 #include <string>
@@ -14,8 +13,5 @@ namespace support {
 /// field's with `_name` behind it, and `name` for the `id` of a device object. With the PDU of the `request` heard
 /// before, a response has as many coils as that asked for.
 [[nodiscard]] std::string to_json(drivecodec::modbus::rtu::frame const& found, drivecodec::bytes request = {});
-
-[[nodiscard]] std::string to_json(drivecodec::dropped_bytes const& run);
-[[nodiscard]] std::string to_json(drivecodec::stream_counters const& counted);
 
 }  // namespace support

@@ -30,8 +30,53 @@ expect("a request that nobody answers is forgotten, so that its repetition is a 
         {"counters":{"frames":2,"unaligned_frames":0,"dropped_runs":0,"dropped_bytes":0,"bad_checksums":0,"truncated":0}}
 ]])
 
+expect("telegrams of an FC line; a request that nobody answers is forgotten" STATUS 0
+    COMMAND ${LIVE_LINE} ${DECODE} --protocol fc --timeout 20
+    INPUT
+"02 06 20 04 3C 00 00 1C
+02 06 01 04 7F 20 00 5E
+02 06 01 04 7F 20 00 5E
+"
+    OUTPUT "
+        broadcast: PCD 043C 0000
+        request to slave 1: PCD 047F 2000
+        request to slave 1: PCD 047F 2000
+        frames=3 unaligned_frames=0 dropped_runs=0 dropped_bytes=0 bad_checksums=0 truncated=0
+")
+
+expect("the protocol of a line is found; two telegrams are enough" STATUS 1
+    COMMAND ${LIVE_LINE} ${DECODE} --protocol auto --timeout 5000
+    INPUT
+"FF 02 06 20 04 3C 00 00 1C 02 06 01 04 7F 20 00 5E
+02 06 01 0F 03 20 00 29
+11 03 00 6B 00 03 76 87
+"
+    OUTPUT "
+        dropped 1 byte  bad_length: FF
+        broadcast: PCD 043C 0000  (found amid dropped bytes)
+        request to slave 1: PCD 047F 2000
+        response from slave 1: PCD 0F03 2000
+        dropped 8 bytes  bad_length: 11 03 00 6B 00 03 76 87
+        frames=3 unaligned_frames=1 dropped_runs=2 dropped_bytes=9 bad_checksums=0 truncated=0
+")
+
+expect("a frame is enough" STATUS 0
+    COMMAND ${LIVE_LINE} ${DECODE} --protocol auto --json
+    INPUT
+"02 06 23 29 00 0D 92 70
+"
+    OUTPUT [[
+        {"protocol":"modbus-rtu","direction":"request","address":2,"function":6,"name":"write_single_register","register_address":9001,"value":13,"aligned":true,"raw":"02062329000D9270"}
+        {"counters":{"frames":1,"unaligned_frames":0,"dropped_runs":0,"dropped_bytes":0,"bad_checksums":0,"truncated":0}}
+]])
+
 expect("what is no serial device is refused" STATUS 2
     COMMAND ${DECODE} --device ${WORK}/nothing
     OUTPUT "
         decode: cannot open ${WORK}/nothing with 19200 baud: No such file or directory; see decode --help
+")
+expect("of which FC has another baud rate" STATUS 2
+    COMMAND ${DECODE} --protocol fc --device ${WORK}/nothing
+    OUTPUT "
+        decode: cannot open ${WORK}/nothing with 9600 baud: No such file or directory; see decode --help
 ")
