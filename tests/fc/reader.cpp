@@ -8,6 +8,8 @@
 #include <drivecodec/fc/slave.hpp>
 #include <drivecodec/fc/text_requests.hpp>
 
+#include <functional>
+
 namespace {
 
 namespace fc = drivecodec::fc;
@@ -644,6 +646,92 @@ TEST(fc_reader, decides_as_the_rule_says_on_noise)
             fc::reader reader;
             ASSERT_EQ(read(reader, heard, how, seed), expected) << seed;
         }
+    }
+}
+
+//=== there and back ===//
+
+template <typename Process, typename Layout>
+Process random_process(dice& random)
+{
+    return Process::read(random.noise(Layout::process_size));
+}
+
+/// Telegrams that were sent one behind the other, and what each of them has to be again.
+struct traffic {
+    template <typename Layout, typename Data>
+    void send(fc::address to, Data const& data, fc::data_kind kind)
+    {
+        std::array<std::uint8_t, 256> buffer{};
+        auto const                    whole = fc::encode(to, data, buffer);
+        ASSERT_TRUE(whole);
+        stream.insert(stream.end(), whole->begin(), whole->end());
+        is_again.emplace_back([=](fc::frame const& found) {
+            auto const decoded = fc::decode<Data>(found.raw);
+            return found.aligned and found.template kind<Layout>() == kind and decoded and decoded->address == to
+                   and decoded->data == data;
+        });
+    }
+
+    byte_list                                          stream{};
+    std::vector<std::function<bool(fc::frame const&)>> is_again{};
+};
+
+/// Sends telegrams of every kind in random chunks; what comes out of the reader decodes to what was encoded.
+template <typename Layout>
+void send_and_receive(unsigned seed)
+{
+    using command = fc::basic_process_command<Layout>;
+    using status  = fc::basic_process_status<Layout>;
+    dice       random{seed};
+    traffic    sent;
+    auto const texts = random.noise(fc::max_text_size<Layout>);
+    for (int i = 0; i < 20; ++i) {
+        auto const format = random.one_in(2) ? fc::address_format::short_1_to_31 : fc::address_format::long_1_to_126;
+        auto const to     = *fc::address::make(format, static_cast<std::uint8_t>(1 + random.below(31)));
+        auto const pke    = fc::pke::from_raw(static_cast<std::uint16_t>(random.below(0xF000)));  // F is a text
+        auto const ind    = fc::ind::from_raw(static_cast<std::uint16_t>(random.below(0x10000)));
+        auto const pwe    = static_cast<std::uint32_t>(random.below(0x10000) << 16 | random.below(0x10000));
+        auto const text   = pke.with(fc::pke::reply, fc::ak_reply::text);
+        auto const part   = bytes{texts}.first(random.below(texts.size() + 1));
+        auto const asked  = random_process<command, Layout>(random);
+        auto const said   = random_process<status, Layout>(random);
+        switch (random.below(6)) {
+        case 0: sent.send<Layout>(to, asked, fc::data_kind::process); break;
+        case 1: sent.send<Layout>(to, said, fc::data_kind::process); break;
+        case 2:
+            sent.send<Layout>(to, fc::basic_parameter_request<Layout>{pke, ind, pwe, asked}, fc::data_kind::parameter);
+            break;
+        case 3:
+            sent.send<Layout>(to, fc::basic_parameter_response<Layout>{pke, ind, pwe, said}, fc::data_kind::parameter);
+            break;
+        case 4:
+            sent.send<Layout>(to, fc::basic_text_request<Layout>{text, ind, part, asked}, fc::data_kind::text);
+            break;
+        default: sent.send<Layout>(to, fc::basic_text_response<Layout>{text, ind, part, said}, fc::data_kind::text);
+        }
+    }
+
+    fc::basic_reader<Layout> reader;
+    std::size_t              at = 0;
+    for (bytes rest{sent.stream}; not rest.empty();) {
+        auto const size = std::min(std::size_t{1 + random.below(random.one_in(2) ? 4 : 300)}, rest.size());
+        rest            = rest.subspan(size - reader.push(rest.first(size)).size());
+        while (auto const given = reader.next()) {
+            ASSERT_TRUE(given.frame() != nullptr and at < sent.is_again.size());
+            ASSERT_TRUE(sent.is_again[at](*given.frame())) << at;
+            ++at;
+        }
+    }
+    ASSERT_EQ(at, sent.is_again.size());
+}
+
+TEST(fc_reader, gives_telegrams_of_every_kind_back_however_they_are_chunked)
+{
+    for (unsigned seed = 1; seed <= trials / 40; ++seed) {
+        ASSERT_NO_FATAL_FAILURE(send_and_receive<fc::vlt_layout>(seed)) << seed;
+        ASSERT_NO_FATAL_FAILURE(send_and_receive<fc::fc_layout>(seed)) << seed;
+        ASSERT_NO_FATAL_FAILURE((send_and_receive<fc::data_layout<4, 12>>(seed))) << seed;
     }
 }
 
