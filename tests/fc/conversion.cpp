@@ -88,7 +88,7 @@ TEST(conversion, has_no_other_index)
     for (int index = -128; index <= 127; ++index) {
         auto const factor = conversion(static_cast<std::int8_t>(index));
         ASSERT_EQ(factor.has_value(), is_printed(index)) << index;
-        count += factor ? 1 : 0;
+        if (factor) { ++count; }
         if (not factor) { ASSERT_EQ(factor.error(), error(errc::bad_value, 0)); }
     }
     EXPECT_EQ(count, conversion_table.size());
