@@ -19,7 +19,8 @@ TEST(bcc, is_the_one_of_the_example)
     VERIFY(bcc{}.value() == 0);
     VERIFY(bcc{}.add(std::uint8_t{0x02}).value() == 0x02);
     VERIFY(bcc{}.add(std::uint8_t{0x02}).add(std::uint8_t{0xD6}).value() == 0xD4);
-    VERIFY(bcc::of("02 D6"_hex) == 0xD4);
+    static constexpr auto both = "02 D6"_hex;
+    VERIFY(bcc::of(both) == 0xD4);
 }
 
 TEST(bcc, begins_at_stx_and_ends_before_itself)
@@ -86,7 +87,9 @@ TEST(bcc, sees_an_odd_number_of_errors_in_a_column)
 
 TEST(bcc, does_not_see_bytes_that_changed_places)
 {
-    VERIFY(bcc::of("02 06 16 04 7F 20 00 49"_hex) == bcc::of("02 06 16 20 00 04 7F 49"_hex));
+    static constexpr auto one   = "02 06 16 04 7F 20 00 49"_hex;
+    static constexpr auto other = "02 06 16 20 00 04 7F 49"_hex;
+    VERIFY(bcc::of(one) == 0 and bcc::of(other) == 0);
 }
 
 }  // namespace
