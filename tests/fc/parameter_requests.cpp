@@ -13,6 +13,11 @@ using namespace drivecodec::fc;
 
 constexpr auto start = data_valid(0x047F, 50_percent);
 
+constexpr std::uint16_t raw_of(word_value constant)
+{
+    return constant.raw;
+}
+
 //=== the examples of the manual ===//
 
 TEST(parameter_requests, are_the_examples)
@@ -62,12 +67,12 @@ TEST(parameter_requests, may_have_any_command)
 
 TEST(parameter_requests, take_constants_from_minus_32768_to_65535_as_a_word)
 {
-    VERIFY(word_value{-32768}.raw == 0x8000);
-    VERIFY(word_value{-1}.raw == 0xFFFF);
-    VERIFY(word_value{0}.raw == 0);
-    VERIFY(word_value{65535}.raw == 0xFFFF);
-    VERIFY(word_value{65535U}.raw == 0xFFFF and word_value{65535ULL}.raw == 0xFFFF);
-    VERIFY(word_value{-32768LL}.raw == 0x8000);
+    VERIFY(raw_of(-32768) == 0x8000);
+    VERIFY(raw_of(-1) == 0xFFFF);
+    VERIFY(raw_of(0) == 0);
+    VERIFY(raw_of(65535) == 0xFFFF);
+    VERIFY(raw_of(65535U) == 0xFFFF and raw_of(65535ULL) == 0xFFFF);
+    VERIFY(raw_of(-32768LL) == 0x8000);
 }
 
 TEST(parameter_requests, take_integers_of_up_to_16_bits_as_a_word_at_run_time)
