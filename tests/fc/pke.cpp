@@ -9,6 +9,11 @@ using drivecodec::error;
 using namespace drivecodec::fc;
 using newer_number = basic_parameter_number<fc_layout>;
 
+constexpr std::uint16_t raw_of(parameter_number constant, ak_command command)
+{
+    return constant.with(command).raw;
+}
+
 // VLT 6000 manual, "Parameter commands and replies (AK)".
 TEST(pke, has_the_commands_and_replies_of_the_manual)
 {
@@ -36,10 +41,10 @@ TEST(pke, has_the_commands_of_newer_guides)
 // The PKEs that the manual prints.
 TEST(pke, is_the_one_of_the_examples)
 {
-    VERIFY(parameter_number{615}.with(ak_command::read_value).raw == 0x1267);
-    VERIFY(parameter_number{202}.with(ak_command::write_word_to_eeprom).raw == 0xE0CA);
-    VERIFY(parameter_number{206}.with(ak_command::read_value).raw == 0x10CE);
-    VERIFY(parameter_number{415}.with(ak_command::write_word_to_eeprom).raw == 0xE19F);
+    VERIFY(raw_of(615, ak_command::read_value) == 0x1267);
+    VERIFY(raw_of(202, ak_command::write_word_to_eeprom) == 0xE0CA);
+    VERIFY(raw_of(206, ak_command::read_value) == 0x10CE);
+    VERIFY(raw_of(415, ak_command::write_word_to_eeprom) == 0xE19F);
     VERIFY(pke::from_raw(0x119F).number() == 415);
     VERIFY(pke::from_raw(0x119F).get(pke::reply) == ak_reply::word);
     VERIFY(pke::from_raw(0xE19F).get(pke::command) == ak_command::write_word_to_eeprom);
@@ -90,11 +95,13 @@ TEST(pke, is_made_of_every_number_and_every_command)
 
 TEST(parameter_number, is_a_constant_up_to_the_last)
 {
-    VERIFY(parameter_number{0}.number() == 0 and parameter_number{2047}.number() == 2047);
-    VERIFY(newer_number{4095}.number() == 4095);
+    static constexpr parameter_number first      = 0;
+    static constexpr parameter_number last       = 2047;
+    static constexpr newer_number     newer_last = 4095;
+    VERIFY(first.number() == 0 and last.number() == 2047 and newer_last.number() == 4095);
     VERIFY(parameter_number::last == 2047 and newer_number::last == 4095);
-    VERIFY(parameter_number{5} == *parameter_number::make(5));
-    VERIFY(parameter_number{5} != parameter_number{6});
+    VERIFY(last == *parameter_number::make(2047));
+    VERIFY(last != first);
 }
 
 // "Only the lowbyte is used", says the manual under "Index"; for texts it then uses the high byte, 04 or 05.
