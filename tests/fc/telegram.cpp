@@ -86,23 +86,21 @@ TEST(telegram, has_data_between_adr_and_bcc)
 
 //=== every bit ===//
 
-template <typename... Data>
-error check_as_any(bytes wire)
+/// Is it a telegram of any kind?
+bool is_any(bytes wire)
 {
-    error fault{};
-    ((fault = telegram<Data>::check(wire), fault.ok()) or ...);
-    return fault;
+    return telegram<process_command>::check(wire).ok() or telegram<parameter_request>::check(wire).ok()
+           or telegram<text_request>::check(wire).ok();
 }
 
 TEST(telegram, with_a_single_wrong_bit_is_refused_as_any_kind)
 {
     for (auto const whole : vectors::all_fc) {
-        ASSERT_TRUE((check_as_any<process_command, parameter_request, text_request>(whole).ok()));
+        ASSERT_TRUE(is_any(whole));
         for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
             byte_list damaged{whole.begin(), whole.end()};
             damaged[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
-            auto const fault = check_as_any<process_command, parameter_request, text_request>(damaged);
-            ASSERT_FALSE(fault.ok()) << bit;
+            ASSERT_FALSE(is_any(damaged)) << bit;
             ASSERT_FALSE(check_telegram(damaged, 4, max_data_size).ok()) << bit;
             if (bit >= 16) {
                 ASSERT_EQ(check_telegram(damaged, 4, max_data_size), error(errc::bad_checksum, whole.size() - 1))
