@@ -162,7 +162,7 @@ TEST(slave, answers_its_master_also_while_compiling)
     VERIFY(is_answered(one, write_word(202, 1000, storage::ram, forwards),
                        [](auto const& said) { return said.error().number() == parameter_error::no_write_access; }));
     VERIFY(is_answered(one, read_text(621, forwards),
-                       [](auto const& said) { return same_bytes(said->characters, "56 4C 54"_hex); }));
+                       [](auto const& said) { return same_bytes(said->characters, constant_drive::letters); }));
     VERIFY(is_answered(one, write_text(533, "HELLO", forwards),
                        [](auto const& said) { return said.error().number() == parameter_error::no_text; }));
     VERIFY(
