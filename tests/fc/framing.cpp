@@ -292,8 +292,9 @@ TEST(fc_framing, forgets_the_request_that_timed_out)
     VERIFY(direction_of(timed_out(after(write_to_ee)), parameter) == direction::request);
     VERIFY(direction_of(timed_out(after(write_to_ee)), process_of_2) == direction::request);
     VERIFY(direction_of(timed_out(after(refusal)), parameter) == direction::request);
-    VERIFY(direction_of(timed_out(framing<>{}), parameter) == direction::unknown);
-    VERIFY(direction_of(timed_out(after(parameter)), parameter) == direction::unknown);
+    VERIFY(direction_of(timed_out(framing<>{}), parameter) == direction::request);
+    VERIFY(direction_of(timed_out(after(parameter)), parameter) == direction::request);
+    VERIFY(direction_of(timed_out(framing<>{}), refusal) == direction::response);
     VERIFY(direction_of(after(parameter, timed_out(after(write_to_ee))), parameter) == direction::response);
 }
 

@@ -375,9 +375,14 @@ TEST(fc_reader, forgets_a_request_that_timed_out)
               (items{frame(request, write_202), frame(request, start), frame(response, start)}));
     EXPECT_EQ(read(line_of(write_202, silence, timeout, start, timeout, start, start)),
               (items{frame(request, write_202), frame(request, start), frame(request, start), frame(response, start)}));
-    // Of nothing, and of a response.
-    EXPECT_EQ(read(line_of(timeout, start, timeout, start)), (items{frame(unknown, start), frame(unknown, start)}));
     EXPECT_EQ(read(line_of(refusal, timeout, start)), (items{frame(response, refusal), frame(request, start)}));
+}
+
+TEST(fc_reader, knows_who_speaks_next_when_nobody_answered_for_long_enough)
+{
+    EXPECT_EQ(read(line_of(timeout, start, timeout, start)), (items{frame(request, start), frame(request, start)}));
+    EXPECT_EQ(read(line_of(start, timeout, start, start)),
+              (items{frame(unknown, start), frame(request, start), frame(response, start)}));
 }
 
 TEST(fc_reader, judges_half_a_telegram_anew_when_a_request_times_out)

@@ -92,10 +92,7 @@ struct rules_of {
         last_adr = telegram[2];
     }
 
-    void timed_out()
-    {
-        if (last == request) { last = response; }
-    }
+    void timed_out() { last = response; }
 
 private:
     [[nodiscard]] int direction_of(bytes telegram) const

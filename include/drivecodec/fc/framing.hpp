@@ -85,11 +85,8 @@ public:
         return heard;
     }
 
-    /// Nobody answered the last request: the next telegram is not its response.
-    constexpr void request_timed_out() noexcept
-    {
-        if (last_ == direction::request) { last_ = direction::response; }
-    }
+    /// Nobody answered in time, nor will: the next telegram is a request, also where no direction was known before.
+    constexpr void request_timed_out() noexcept { last_ = direction::response; }
 
 private:
     [[nodiscard]] constexpr direction direction_of(frame const& heard) const noexcept

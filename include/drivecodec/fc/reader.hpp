@@ -22,7 +22,8 @@ public:
     /// Of the slave with this address, on a line that it may share with others: what has its number is a request.
     constexpr basic_reader(expecting what, address own_address) noexcept : base{framing<Layout>{what, own_address}} {}
 
-    /// Nobody answered the last request: the next telegram is not its response.
+    /// The line was silent for longer than a slave may take to answer: the next telegram is a request, also where no
+    /// direction was known before.
     constexpr void request_timed_out() noexcept
     {
         this->scheme().request_timed_out();
