@@ -14,7 +14,7 @@ using fc_model::byte_list;
 
 // VLT 6000 manual, "Data control byte (BCC)". Its example calls the sum BCS in one line and BCC in the next, and has
 // binary numbers of seven digits: 0000 0000 before the first byte, 02h after the byte 02h, then D4h after the byte D6h.
-TEST(bcc, is_the_one_of_the_example)
+TEST(bcc, is_the_one_of_the_example_which_calls_it_bcs_and_bcc_in_turn)
 {
     VERIFY(bcc{}.value() == 0);
     VERIFY(bcc{}.add(std::uint8_t{0x02}).value() == 0x02);
