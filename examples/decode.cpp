@@ -41,6 +41,7 @@ The end of a line is a silence of the bus. A response is read in the light of th
 
     --protocol P     modbus (default), fc for the FC protocol of Danfoss drives, or auto to find out
     --expect WHAT    request, response or either (default) is what is on the line
+    --request-first  the first FC telegram in hexadecimal is a request; live a silence of --timeout tells that
     --json           one JSON object a line
     --drive xd1000   names the registers of this drive and explains their values; not with --json
     --pcd N          words of process data in an FC telegram, 2 (default) to 16
@@ -71,7 +72,8 @@ struct options {
     ::protocol                   protocol = protocol::modbus;
     support::modbus_options      modbus;
     support::fc_options          fc;
-    bool                         help = false;
+    bool                         help          = false;
+    bool                         request_first = false;
     std::string                  device;
     std::optional<std::uint32_t> baud;
     rtu::character_format        format = rtu::format_8e1;
@@ -115,6 +117,8 @@ options parse(support::arguments words)
         };
         if (word == "--help") {
             chosen.help = true;
+        } else if (word == "--request-first") {
+            chosen.request_first = true;
         } else if (word == "--json") {
             chosen.modbus.json = chosen.fc.json = true;
         } else if (name == "--protocol") {
@@ -172,6 +176,13 @@ std::unique_ptr<support::decoder> make_decoder(options const& chosen)
     return std::make_unique<support::auto_decoder>(make_modbus, make_fc, std::cout);
 }
 
+std::unique_ptr<support::decoder> make_hex_decoder(options const& chosen)
+{
+    auto out = make_decoder(chosen);
+    if (chosen.request_first) { out->request_timed_out(); }
+    return out;
+}
+
 int exit_status(support::decoder const& out)
 {
     return out.counters().dropped_bytes == 0 ? nothing_dropped : bytes_dropped;
@@ -192,7 +203,7 @@ void decode_line(support::decoder& out, std::string_view line, std::string const
 
 int decode_arguments(options const& chosen)
 {
-    auto const out = make_decoder(chosen);
+    auto const out = make_hex_decoder(chosen);
     decode_line(*out, *chosen.hex, "");
     out->end(true);
     return exit_status(*out);
@@ -200,7 +211,7 @@ int decode_arguments(options const& chosen)
 
 int decode_lines(options const& chosen)
 {
-    auto const  out = make_decoder(chosen);
+    auto const  out = make_hex_decoder(chosen);
     std::string line;
     for (std::size_t number = 1; std::getline(std::cin, line); ++number) {
         decode_line(*out, line, "line " + std::to_string(number) + ", ");

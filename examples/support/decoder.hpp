@@ -27,7 +27,7 @@ public:
     virtual void push(drivecodec::bytes received) = 0;
     virtual void silence()                        = 0;
 
-    /// Nobody answered the last request.
+    /// Nobody answered the last request, nor will: a request comes next.
     virtual void request_timed_out() = 0;
 
     /// No more bytes come. `is_whole`: these were all there are, not what was heard until someone stopped listening.

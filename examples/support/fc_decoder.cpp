@@ -26,7 +26,8 @@ public:
 private:
     [[nodiscard]] std::string lines_of(fc::frame const& heard) override
     {
-        is_waiting_ = heard.direction == fc::direction::request and not heard.address().is_broadcast();
+        auto const is_asked = heard.direction == fc::direction::request and not heard.address().is_broadcast();
+        is_waiting_         = is_asked or heard.direction == fc::direction::unknown;
         if (this->json()) { return to_json<Layout>(heard); }
         std::array<char, fc::max_description_size> buffer;
         return std::string{fc::describe<Layout>(heard, buffer)};
@@ -36,7 +37,7 @@ private:
 
     void forget_request() override { is_waiting_ = false; }
 
-    bool is_waiting_ = false;
+    bool is_waiting_ = true;  // for all that is known, somebody was asked
 };
 
 template <unsigned ParameterBits, std::size_t Words = 2>

@@ -16,6 +16,12 @@ foreach(protocol fc modbus)
 endforeach()
 expect("nothing" STATUS 0 COMMAND ${auto} INPUT "\n" OUTPUT "")
 
+expect("which way the first telegram goes" STATUS 0
+    COMMAND ${auto} --request-first 02 06 01 04 7F 20 00 5E 02 06 01 0F 03 20 00 29 OUTPUT "
+        request to slave 1: PCD 047F 2000
+        response from slave 1: PCD 0F03 2000
+")
+
 #=== what is both is Modbus ===#
 
 set(both        "02 06 21 9A 00 F2 22 6F")

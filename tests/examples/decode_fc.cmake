@@ -23,6 +23,10 @@ expect("has no names in JSON" STATUS 0 COMMAND ${fc} --json ${read_and_reply} OU
         {"protocol":"fc","direction":"unknown","address":1,"broadcast":false,"kind":"parameter","ak":1,"parameter":202,"index":0,"value":0,"pcd":[1151,8192],"aligned":true,"raw":"020E0110CA000000000000047F20008C"}
         {"protocol":"fc","direction":"unknown","address":1,"broadcast":false,"kind":"parameter","ak":1,"parameter":202,"index":0,"value":1000,"pcd":[3843,8192],"aligned":true,"raw":"020E0110CA0000000003E80F03200010"}
 ]])
+expect("a direction that the user tells" STATUS 0 COMMAND ${fc} --request-first ${read_and_reply} OUTPUT "
+        request to slave 1: read_value 202, PCD 047F 2000
+        response from slave 1: word 202 = 1000, PCD 0F03 2000
+")
 expect("but a refusal is a response" STATUS 0
     COMMAND ${fc} --json 02 0E 01 70 CA 00 00 00 00 00 02 0F 03 20 00 99 OUTPUT [[
         {"protocol":"fc","direction":"response","address":1,"broadcast":false,"kind":"parameter","ak":7,"ak_name":"cannot_be_executed","parameter":202,"index":0,"error":2,"error_name":"value_exceeds_limits","pcd":[3843,8192],"aligned":true,"raw":"020E0170CA0000000000020F03200099"}

@@ -44,6 +44,19 @@ expect("telegrams of an FC line; a request that nobody answers is forgotten" STA
         frames=3 unaligned_frames=0 dropped_runs=0 dropped_bytes=0 bad_checksums=0 truncated=0
 ")
 
+expect("behind a long silence a master speaks" STATUS 0
+    COMMAND ${LIVE_LINE} ${DECODE} --protocol fc --timeout 60
+    INPUT
+"02 06 01 04 7F 20 00 5E
+02 06 01 04 7F 20 00 5E 02 06 01 0F 03 20 00 29
+"
+    OUTPUT "
+        to or from slave 1: PCD 047F 2000
+        request to slave 1: PCD 047F 2000
+        response from slave 1: PCD 0F03 2000
+        frames=3 unaligned_frames=0 dropped_runs=0 dropped_bytes=0 bad_checksums=0 truncated=0
+")
+
 expect("the protocol of a line is found; two telegrams are enough" STATUS 1
     COMMAND ${LIVE_LINE} ${DECODE} --protocol auto --timeout 5000
     INPUT
