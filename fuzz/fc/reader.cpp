@@ -31,7 +31,7 @@ public:
     {
         end_ = e.at;
         run(e.kind == event_kind::silence);
-        if (e.kind == event_kind::timeout and last_ == direction::request) { last_ = direction::response; }
+        if (e.kind == event_kind::timeout) { last_ = direction::response; }  // a request is next
     }
 
     std::vector<stream::item> items;
