@@ -82,6 +82,12 @@ struct value_error : std::runtime_error {
     return *value;
 }
 
+/// Is the value transferred as it is, because it is no quantity?
+[[nodiscard]] inline bool is_code(vlt6000::parameter_row const* row)
+{
+    return row != nullptr and (row->kind == vlt6000::kind::choice or row->kind == vlt6000::kind::bits);
+}
+
 /// As the manual and the user state it.
 [[nodiscard]] inline vlt6000::transfer transfer_of(vlt6000::parameter_row const* row,
                                                    vlt6000_value_options const&  given)
@@ -92,8 +98,7 @@ struct value_error : std::runtime_error {
         how.data_type = *given.type;
     }
     if (given.scale) { how.conversion_index = static_cast<std::int8_t>(*given.scale); }
-    auto const is_code = row != nullptr and (row->kind == vlt6000::kind::choice or row->kind == vlt6000::kind::bits);
-    if (not how.conversion_index and is_code) { how.conversion_index = std::int8_t{0}; }
+    if (not how.conversion_index and is_code(row)) { how.conversion_index = std::int8_t{0}; }
     return how;
 }
 
@@ -104,7 +109,7 @@ struct value_error : std::runtime_error {
     drivecodec::text_writer text{room};
     auto const*             row = vlt6000::find(given.number());
     auto const              how = transfer_of(row, asked);
-    if (asked.type or asked.scale) {
+    if ((asked.type or asked.scale) and not is_code(row)) {
         auto const number = vlt6000::number_in(given, how);
         if (not number) {
             throw value_error{"PWE is " + std::to_string(given.pwe) + ", of which --as has to tell width and sign"};
