@@ -121,14 +121,14 @@ private:
     void write_all()
     {
         while (auto const item = reader_.next()) {
-            auto const raw = item.frame() ? item.frame()->raw : item.dropped()->raw;
             if (auto const* heard = item.frame()) {
-                if (is_typical(*heard)) { this->count_frame(raw.size(), heard->aligned); }
+                if (is_typical(*heard)) { this->count_frame(heard->raw.size(), heard->aligned); }
                 out_ << lines_of(*heard) << '\n';
-            } else {
-                out_ << line_of(*item.dropped(), json_) << '\n';
+                this->pass(heard->raw.size());
+            } else if (auto const* run = item.dropped()) {
+                out_ << line_of(*run, json_) << '\n';
+                this->pass(run->raw.size());
             }
-            this->pass(raw.size());
         }
         out_.flush();
     }
