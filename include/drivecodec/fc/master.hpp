@@ -34,6 +34,7 @@ inline constexpr std::array<std::uint16_t, 16> answering = [] {
     constexpr auto bit = [](ak_reply reply) { return static_cast<std::uint16_t>(1U << static_cast<unsigned>(reply)); };
     std::array<std::uint16_t, 16> replies{};
     for (unsigned command = 0; command < replies.size(); ++command) {
+        replies[command] = static_cast<std::uint16_t>(~bit(ak_reply::text));
         switch (ak_command{static_cast<std::uint8_t>(command)}) {
         case ak_command::no_command: replies[command] = bit(ak_reply::no_reply); break;
         case ak_command::read_value: replies[command] = bit(ak_reply::word) | bit(ak_reply::double_word); break;
@@ -43,7 +44,6 @@ inline constexpr std::array<std::uint16_t, 16> answering = [] {
         case ak_command::write_double_word_to_eeprom: replies[command] = bit(ak_reply::double_word); break;
         case ak_command::read_description: replies[command] = bit(ak_reply::description); break;
         case ak_command::text: replies[command] = bit(ak_reply::text); break;
-        default: replies[command] = static_cast<std::uint16_t>(~bit(ak_reply::text)); break;
         }
     }
     return replies;
