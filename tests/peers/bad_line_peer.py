@@ -3,13 +3,8 @@
 
 bad_line_peer.py PATH/TO/modbus_server PATH/TO/modbus_poll
 """
-import contextlib
-import os
-import select
-import subprocess
 import sys
 import time
-import tty
 
 import support
 
@@ -29,72 +24,35 @@ def registers(address, *values):
     return with_crc(bytes([address, 3, len(data)]) + data)
 
 
-class Line:
-    """The other end of a pseudo-terminal."""
-
-    def __init__(self, end):
-        self.end = end
-
-    def receive(self, size, seconds=support.DEADLINE):
-        """So many bytes; fewer if they do not come in time."""
-        heard = b""
-        end = time.monotonic() + seconds
-        while len(heard) < size:
-            ready, _, _ = select.select([self.end], [], [], max(0.0, end - time.monotonic()))
-            if not ready:
-                break
-            heard += os.read(self.end, size - len(heard))
-        return heard
-
-    def send(self, *parts):
-        os.write(self.end, b"".join(parts))
-
-
-@contextlib.contextmanager
-def asking(program, *command):
-    """Our client as it asks: gives the process and the line to it."""
-    end, device = os.openpty()
-    tty.setraw(device)
-    try:
-        with support.running([program, "--device", os.ttyname(device), "--address", "17", *command],
-                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
-            yield process, Line(end)
-    finally:
-        os.close(end)
-        os.close(device)
-
-
-def finish(process):
-    printed, _ = process.communicate(timeout=2 * support.DEADLINE)
-    return process.returncode, printed
-
-
 def client(program, checks):
     request = with_crc(b"\x11\x03\x00\x6b\x00\x01")
     patient = ["--timeout", "3000"]
     read = ["read-holding", "107", "1"]
 
+    def asking(*command):
+        return support.asking(program, "--address", "17", *command)
+
     # Before the reply: noise, other servers' replies, replies to something else, a damaged one, a longer one.
-    with asking(program, *patient, *read) as (process, line):
+    with asking(*patient, *read) as (process, line):
         checks.equal("request", line.receive(8), request)
         line.send(b"\x00\xff\x11\x03", registers(18, 1), with_crc(b"\x11\x04\x02\x00\x02"), registers(17, 3, 3),
                   registers(17, 4)[:-1] + b"\x00", registers(17, 5))
-        checks.equal("the reply among others", finish(process), (0, "107: 5\n"))
+        checks.equal("the reply among others", support.finish(process), (0, "107: 5\n"))
 
     # Nobody answers the first try; half a reply to the second.
-    with asking(program, "--timeout", "800", *read) as (process, line):
+    with asking("--timeout", "800", *read) as (process, line):
         checks.equal("first try", line.receive(8), request)
         checks.equal("second try", line.receive(8), request)
         line.send(registers(17, 6)[:4])
         checks.equal("third try", line.receive(8), request)
         line.send(registers(17, 7))
-        checks.equal("the third try", finish(process), (0, "107: 7\n"))
-    with asking(program, "--timeout", "100", "--retries", "1", *read) as (process, line):
+        checks.equal("the third try", support.finish(process), (0, "107: 7\n"))
+    with asking("--timeout", "100", "--retries", "1", *read) as (process, line):
         line.receive(16)
-        checks.equal("nobody answers", finish(process), (1, "no answer from the server\n"))
+        checks.equal("nobody answers", support.finish(process), (1, "no answer from the server\n"))
 
     # Two replies to two tries: the second belongs to no later request.
-    with asking(program, "--timeout", "800", "--every", "1", *read) as (process, line):
+    with asking("--timeout", "800", "--every", "1", *read) as (process, line):
         line.receive(16)
         line.send(registers(17, 8))
         time.sleep(0.1)
@@ -104,36 +62,33 @@ def client(program, checks):
         line.receive(8)
         process.terminate()
         line.send(registers(17, 9))
-        status, printed = finish(process)
+        status, printed = support.finish(process)
         checks.equal("no stale reply", (status, printed.splitlines()), (0, ["107: 8", "107: 9", "107: 9"]))
 
     # Exceptions: of this function, of another.
-    with asking(program, *patient, *read) as (process, line):
+    with asking(*patient, *read) as (process, line):
         line.receive(8)
         line.send(with_crc(b"\x11\x86\x02"), with_crc(b"\x11\x83\x06"))
-        checks.equal("exception", finish(process), (1, "exception 6 server_device_busy\n"))
+        checks.equal("exception", support.finish(process), (1, "exception 6 server_device_busy\n"))
 
     # An adapter that hears what it sends.
-    with asking(program, *patient, "--echo", *read) as (process, line):
+    with asking(*patient, "--echo", *read) as (process, line):
         line.send(line.receive(8), registers(17, 10))
-        checks.equal("echo", finish(process), (0, "107: 10\n"))
-    with asking(program, *patient, "--echo", "--address", "0", "write-register", "1", "2") as (process, line):
+        checks.equal("echo", support.finish(process), (0, "107: 10\n"))
+    with asking(*patient, "--echo", "--address", "0", "write-register", "1", "2") as (process, line):
         line.send(line.receive(8))
-        checks.equal("echo of a broadcast", finish(process), (0, "sent; nobody answers this\n"))
-    with asking(program, "--timeout", "800", "--retries", "1", "--echo", *read) as (process, line):
+        checks.equal("echo of a broadcast", support.finish(process), (0, "sent; nobody answers this\n"))
+    with asking("--timeout", "800", "--retries", "1", "--echo", *read) as (process, line):
         line.receive(8)
         line.send(b"\x11\x13", registers(17, 11))
         line.send(line.receive(8), registers(17, 12))
-        checks.equal("a collision, then the echo", finish(process), (0, "107: 12\n"))
+        checks.equal("a collision, then the echo", support.finish(process), (0, "107: 12\n"))
 
 
 def server(program, checks):
     # A long silence, so that a busy machine does not make pauses where there are none.
-    with support.modbus_server(program, "--address", "17", "--holding", "200", "--silence", "50000") as (process, path):
-        number = os.open(path, os.O_RDWR | os.O_NOCTTY)
-        tty.setraw(number)
-        line = Line(number)
-
+    with support.server_on_a_line(program, "--address", "17", "--holding", "200",
+                                  "--silence", "50000") as (process, path), support.open_line(path) as line:
         def expect(what, wanted, *parts):
             """Sends the parts; the server answers this, or stays silent."""
             for part in parts:
@@ -179,7 +134,6 @@ def server(program, checks):
         expect("after the restart", registers(17, 7), read)
         expect("messages since the restart", with_crc(b"\x11\x08\x00\x0e\x00\x02"),
                with_crc(b"\x11\x08\x00\x0e\x00\x00"))
-        os.close(number)
         support.stop(process, checks)
 
 

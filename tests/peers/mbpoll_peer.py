@@ -39,7 +39,7 @@ def main():
     values = random.Random(seed)
     checks = support.Checks()
 
-    with support.modbus_server(server_program, "--address", "17", "--holding", "500") as (server, line):
+    with support.server_on_a_line(server_program, "--address", "17", "--holding", "500") as (server, line):
         peer = Peer(line, 17)
 
         def ours(*command):

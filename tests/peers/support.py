@@ -64,12 +64,12 @@ def running(command, **options):
 
 
 @contextlib.contextmanager
-def modbus_server(program, *options):
+def server_on_a_line(program, *options, **streams):
     """Our server on a pseudo-terminal: gives the process and the path of its line."""
     with scratch_folder() as folder:
         link = os.path.join(folder, "line")
         command = [program, "--link", link, *options]
-        with running(command, stdout=subprocess.PIPE, text=True) as process:
+        with running(command, stdout=subprocess.PIPE, text=True, **streams) as process:
             wait_for(lambda: os.path.exists(link) or process.poll() is not None, "the server's link")
             yield process, link
 
@@ -82,9 +82,61 @@ def stop(process, checks):
     return printed
 
 
+class Line:
+    """The other end of a pseudo-terminal."""
+
+    def __init__(self, end):
+        self.end = end
+
+    def receive(self, size, seconds=DEADLINE):
+        """So many bytes; fewer if they do not come in time."""
+        heard = b""
+        end = time.monotonic() + seconds
+        while len(heard) < size:
+            ready, _, _ = select.select([self.end], [], [], max(0.0, end - time.monotonic()))
+            if not ready:
+                break
+            heard += os.read(self.end, size - len(heard))
+        return heard
+
+    def send(self, *parts):
+        os.write(self.end, b"".join(parts))
+
+
 @contextlib.contextmanager
-def null_modem():
-    """Two serial devices joined by a line: gives their paths."""
+def open_line(path):
+    """The other end of a server's line."""
+    end = os.open(path, os.O_RDWR | os.O_NOCTTY)
+    try:
+        tty.setraw(end)
+        yield Line(end)
+    finally:
+        os.close(end)
+
+
+@contextlib.contextmanager
+def asking(program, *command):
+    """Our client as it asks: gives the process and the line to it."""
+    end, device = os.openpty()
+    tty.setraw(device)
+    try:
+        with running([program, "--device", os.ttyname(device), *command],
+                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
+            yield process, Line(end)
+    finally:
+        os.close(end)
+        os.close(device)
+
+
+def finish(process):
+    """Exit status and all that the client printed."""
+    printed, _ = process.communicate(timeout=2 * DEADLINE)
+    return process.returncode, printed
+
+
+@contextlib.contextmanager
+def null_modem(carry_bytes=lambda heard: heard):
+    """Two serial devices joined by a line: gives their paths. What one sends at once, the line may change."""
     ends = [os.openpty() for _ in range(2)]
     for _, device in ends:
         tty.setraw(device)
@@ -97,7 +149,7 @@ def null_modem():
             if wake in ready:
                 return
             for end in ready:
-                os.write(others[end], os.read(end, 4096))
+                os.write(others[end], carry_bytes(os.read(end, 4096)))
 
     bridge = threading.Thread(target=carry)
     bridge.start()

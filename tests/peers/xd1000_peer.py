@@ -136,7 +136,7 @@ def by_our_controller(line, control_program, checks):
 def main():
     simulator_program, control_program = sys.argv[1:3]
     checks = support.Checks()
-    with support.modbus_server(simulator_program, "--address", str(ADDRESS)) as (simulator, line):
+    with support.server_on_a_line(simulator_program, "--address", str(ADDRESS)) as (simulator, line):
         by_hand(line, simulator, checks)
         by_scanner(line, checks)
         by_our_controller(line, control_program, checks)
