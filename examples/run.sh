@@ -36,6 +36,23 @@ show_refusal() {
     fi
 }
 
+# Until the server, which is our child, has opened its line.
+wait_for_line() {
+    tries=100
+    until [ -e "$line" ]; do
+        kill -0 "$server" && [ "$tries" -gt 0 ]
+        tries=$((tries - 1))
+        sleep 0.05
+    done
+}
+
+stop_server() {
+    printf '\n$ %s\n' "kill %1"
+    kill "$server"
+    wait "$server"
+    server=
+}
+
 heading "a frame that the compiler builds, and a function of one's own beside the public ones"
 grep -A 3 '^constexpr auto read_three' examples/frames.cpp
 show frames
@@ -51,12 +68,7 @@ log=$scratch/traffic
 printf '\n$ %s\n' "modbus_server --address 17 --link $line --log $log &"
 modbus_server --address 17 --link "$line" --log "$log" >"$scratch/server" &
 server=$!
-tries=100
-until [ -e "$line" ]; do
-    kill -0 "$server" && [ "$tries" -gt 0 ]
-    tries=$((tries - 1))
-    sleep 0.05
-done
+wait_for_line
 poll() {
     show modbus_poll --device "$line" --address 17 "$@"
 }
@@ -70,10 +82,7 @@ poll read-coils 19 4
 poll --as uint32 read-input 0 2
 poll diagnostics 14
 show_refusal modbus_poll --device "$line" --address 17 read-holding 999 2
-printf '\n$ %s\n' "kill %1"
-kill "$server"
-wait "$server"
-server=
+stop_server
 cat "$scratch/server"
 
 heading "the traffic on that line, decoded"
@@ -86,12 +95,7 @@ log=$scratch/drive_traffic
 printf '\n$ %s\n' "xd1000_simulator --address 2 --link $line --log $log &"
 xd1000_simulator --address 2 --link "$line" --log "$log" </dev/null >"$scratch/drive_states" &
 server=$!
-tries=100
-until [ -e "$line" ]; do
-    kill -0 "$server" && [ "$tries" -gt 0 ]
-    tries=$((tries - 1))
-    sleep 0.05
-done
+wait_for_line
 drive() {
     show xd1000_control --device "$line" --address 2 "$@"
 }
@@ -102,10 +106,7 @@ drive status
 drive reverse
 drive stop
 show_refusal xd1000_control --device "$line" --address 2 start 50.01
-printf '\n$ %s\n' "kill %1"
-kill "$server"
-wait "$server"
-server=
+stop_server
 printf '\n%s\n' "the states it went through:"
 cat "$scratch/drive_states"
 printf '\n$ %s\n' "decode --drive xd1000 <$log"
@@ -113,5 +114,37 @@ decode --drive xd1000 <"$log"
 
 heading "its state machine"
 show state_diagram
+
+heading "a VLT 6000 HVAC, from standstill to 25 Hz and back"
+line=$scratch/vlt6000
+log=$scratch/vlt6000_traffic
+printf '\n$ %s\n' "vlt6000_simulator --address 1 --link $line --log $log &"
+vlt6000_simulator --address 1 --link "$line" --log "$log" </dev/null >"$scratch/vlt6000_states" &
+server=$!
+wait_for_line
+vlt() {
+    show vlt6000_control --device "$line" --address 1 "$@"
+}
+vlt write 206 5
+vlt write 207 5 --as word --scale 0
+vlt status
+vlt --verbose start 50%
+sleep 3
+vlt status
+vlt stop
+sleep 3
+vlt status
+vlt read 202
+vlt write 202 60.0 --eeprom
+vlt read 615 --index 1
+vlt text 621
+vlt text 533 HELLO
+show_refusal vlt6000_control --device "$line" --address 1 write 202 200.0
+show_refusal vlt6000_control --device "$line" --address 1 read 999
+stop_server
+printf '\n%s\n' "what it showed:"
+cat "$scratch/vlt6000_states"
+printf '\n$ %s\n' "decode --protocol fc --drive vlt6000 <$log"
+decode --protocol fc --drive vlt6000 <"$log"
 
 printf '\n%s\n' "everything worked"
