@@ -43,7 +43,8 @@ The end of a line is a silence of the bus. A response is read in the light of th
     --expect WHAT    request, response or either (default) is what is on the line
     --request-first  the first FC telegram in hexadecimal is a request; live a silence of --timeout tells that
     --json           one JSON object a line
-    --drive xd1000   names the registers of this drive and explains their values; not with --json
+    --drive D        xd1000 or vlt6000: names the registers or parameters of this drive and explains their values, in
+                     JSON as `meaning`; vlt6000 has the FC protocol
     --pcd N          words of process data in an FC telegram, 2 (default) to 16
     --pnu-bits N     bits of an FC parameter number, 11 (default), or 12 as in newer drives
     --baud N         of the device (default 19200, for fc 9600)
@@ -69,7 +70,7 @@ constexpr int wrong_usage     = 2;  // and whatever else keeps the program from 
 enum class protocol { modbus, fc, unknown };
 
 struct options {
-    ::protocol                   protocol = protocol::modbus;
+    std::optional<::protocol>    protocol;
     support::modbus_options      modbus;
     support::fc_options          fc;
     bool                         help          = false;
@@ -124,10 +125,12 @@ options parse(support::arguments words)
         } else if (name == "--protocol") {
             chosen.protocol = to_protocol(value());
         } else if (name == "--drive") {
-            if (auto const drive = value(); drive != "xd1000") {
-                throw support::usage_error{"'" + drive + "' is no drive that is known here: xd1000"};
+            auto const drive     = value();
+            chosen.modbus.xd1000 = drive == "xd1000";
+            chosen.fc.vlt6000    = drive == "vlt6000";
+            if (not chosen.modbus.xd1000 and not chosen.fc.vlt6000) {
+                throw support::usage_error{"'" + drive + "' is no drive that is known here: xd1000, vlt6000"};
             }
-            chosen.modbus.xd1000 = true;
         } else if (name == "--expect") {
             auto const what      = value();
             chosen.modbus.expect = to_expecting<rtu::expecting>(what);
@@ -153,9 +156,15 @@ options parse(support::arguments words)
     if (chosen.hex and not chosen.device.empty()) {
         throw support::usage_error{"either hexadecimal or --device, not both"};
     }
-    if (chosen.modbus.xd1000) {
-        if (chosen.modbus.json) { throw support::usage_error{"either --drive or --json, not both"}; }
-        if (chosen.protocol == protocol::fc) { throw support::usage_error{"an xd1000 does not have the FC protocol"}; }
+    if (not chosen.protocol) { chosen.protocol = chosen.fc.vlt6000 ? protocol::fc : protocol::modbus; }
+    if (chosen.modbus.xd1000 and chosen.protocol == protocol::fc) {
+        throw support::usage_error{"an xd1000 does not have the FC protocol"};
+    }
+    if (chosen.fc.vlt6000 and chosen.protocol == protocol::modbus) {
+        throw support::usage_error{"a vlt6000 does not have Modbus"};
+    }
+    if (chosen.fc.vlt6000 and (chosen.fc.process_words != 2 or chosen.fc.parameter_bits != 11)) {
+        throw support::usage_error{"a vlt6000 has two process words and parameter numbers of 11 bits"};
     }
     return chosen;
 }
@@ -168,7 +177,7 @@ std::unique_ptr<support::decoder> make_decoder(options const& chosen)
         return std::make_unique<support::modbus_decoder>(chosen.modbus, out);
     };
     auto const make_fc = [chosen](std::ostream& out) { return support::make_fc_decoder(chosen.fc, out); };
-    switch (chosen.protocol) {
+    switch (*chosen.protocol) {
     case protocol::modbus: return make_modbus(std::cout);
     case protocol::fc: return make_fc(std::cout);
     case protocol::unknown: break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "json.hpp"
 #include "stream_json.hpp"
 
 #include <drivecodec/text/core.hpp>
@@ -44,6 +45,15 @@ template <typename Thing>
     if (json) { return to_json(thing); }
     std::array<char, 1024> buffer;
     return std::string{drivecodec::describe(thing, buffer)};
+}
+
+/// The line of a frame, and what it means to a drive: a line below it, or in JSON one more member.
+[[nodiscard]] inline std::string with_meaning(std::string line, std::string const& meaning, bool json)
+{
+    if (meaning.empty()) { return line; }
+    if (not json) { return line + "\n    " + meaning; }
+    line.pop_back();
+    return line + ",\"meaning\":" + json_text(meaning) + '}';
 }
 
 /// A decoder of one protocol that can say what it found where: offsets in the stream since it began.

@@ -2,6 +2,7 @@
 #include "fc_decoder.hpp"
 
 #include "fc_json.hpp"
+#include "vlt6000_traffic.hpp"
 
 #include <drivecodec/fc/reader.hpp>
 #include <drivecodec/text/fc.hpp>
@@ -18,7 +19,7 @@ class fc_decoder final : public reader_decoder<fc::basic_reader<Layout>> {
 
 public:
     fc_decoder(fc_options const& chosen, std::ostream& out)
-        : base{fc::basic_reader<Layout>{chosen.expect}, chosen.json, out}
+        : base{fc::basic_reader<Layout>{chosen.expect}, chosen.json, out}, explains_{chosen.vlt6000}
     {}
 
     [[nodiscard]] bool is_waiting_for_response() const override { return is_waiting_; }
@@ -28,15 +29,17 @@ private:
     {
         auto const is_asked = heard.direction == fc::direction::request and not heard.address().is_broadcast();
         is_waiting_         = is_asked or heard.direction == fc::direction::unknown;
-        if (this->json()) { return to_json<Layout>(heard); }
         std::array<char, fc::max_description_size> buffer;
-        return std::string{fc::describe<Layout>(heard, buffer)};
+        auto const                                 meaning = explains_ ? explain_vlt6000(heard) : std::string{};
+        auto const line = this->json() ? to_json<Layout>(heard) : std::string{fc::describe<Layout>(heard, buffer)};
+        return with_meaning(line, meaning, this->json());
     }
 
     [[nodiscard]] bool is_typical(fc::frame const& heard) const override { return not heard.address().is_reserved(); }
 
     void forget_request() override { is_waiting_ = false; }
 
+    bool explains_;
     bool is_waiting_ = true;  // for all that is known, somebody was asked
 };
 

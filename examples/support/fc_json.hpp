@@ -6,6 +6,7 @@
 
 #include <drivecodec/text/fc.hpp>
 
+#include <algorithm>
 #include <string>
 
 namespace support {
@@ -53,7 +54,9 @@ void add_text(json_object& out, Data const& data, drivecodec::fc::direction fram
     add_ak(out, data, frame_direction);
     out.add("access", static_cast<std::uint8_t>(data.access()));
     if (auto const name = to_string(data.access()); not name.empty()) { out.add("access_name", name); }
-    out.add("text", std::string(data.characters.begin(), data.characters.end()));
+    // The zeros of a read request stand where a value would be.
+    auto const is_no_text = std::ranges::all_of(data.characters, [](auto byte) { return byte == 0; });
+    out.add("text", is_no_text ? std::string{} : std::string(data.characters.begin(), data.characters.end()));
 }
 
 }  // namespace detail

@@ -15,7 +15,7 @@ namespace support {
 struct modbus_options {
     drivecodec::modbus::rtu::expecting expect = drivecodec::modbus::rtu::expecting::either;
     bool                               json   = false;
-    bool                               xd1000 = false;  ///< Explains the registers of this drive; not in JSON.
+    bool                               xd1000 = false;  ///< Explains the registers of this drive.
 };
 
 /// Modbus RTU. A response is read in the light of the request before it.
@@ -37,22 +37,15 @@ private:
         auto const is_answer  = not is_request and not request_.empty() and request_.front() == heard.address();
         auto const asked      = is_answer ? drivecodec::bytes{request_}.subspan(1) : drivecodec::bytes{};
 
-        std::string lines;
-        if (json()) {
-            lines = to_json(heard, asked);
-        } else {
-            std::array<char, modbus::max_description_size> buffer;
-            lines = describe(heard, buffer, asked);
-            if (auto const meaning = names_registers_ ? drive_.explain(heard, asked) : ""; not meaning.empty()) {
-                lines += "\n    " + meaning;
-            }
-        }
+        std::array<char, modbus::max_description_size> buffer;
+        auto const meaning = names_registers_ ? drive_.explain(heard, asked) : std::string{};
+        auto const line    = json() ? to_json(heard, asked) : std::string{describe(heard, buffer, asked)};
         request_.clear();
         if (is_request) {
             auto const address_and_pdu = heard.raw.first(1 + heard.pdu().size());
             request_.assign(address_and_pdu.begin(), address_and_pdu.end());
         }
-        return lines;
+        return with_meaning(line, meaning, json());
     }
 
     void forget_request() override { request_.clear(); }

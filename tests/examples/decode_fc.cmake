@@ -92,3 +92,40 @@ expect_refusal("'1' is not a number from 2 to 16" COMMAND ${fc} --pcd 1)
 expect_refusal("'17' is not a number from 2 to 16" COMMAND ${fc} --pcd 17)
 expect_refusal("'10' is not a number from 11 to 12" COMMAND ${fc} --pnu-bits 10)
 expect_refusal("an xd1000 does not have the FC protocol" COMMAND ${fc} --drive xd1000)
+expect_refusal("a vlt6000 does not have Modbus" COMMAND ${DECODE} --protocol modbus --drive vlt6000)
+expect_refusal("a vlt6000 has two process words and parameter numbers of 11 bits"
+    COMMAND ${DECODE} --drive vlt6000 --pnu-bits 12)
+expect_refusal("'smd' is no drive that is known here: xd1000, vlt6000" COMMAND ${DECODE} --drive smd)
+
+#=== what telegrams mean to a drive ===#
+
+# Written 100 Hz, with start and 50 %; answered with the manual's 0F03 and 50 %. Then the name plate, and a reversed start.
+set(conversation
+    02 0E 01 E0 CA 00 00 00 00 03 E8 04 7F 20 00 97  02 0E 01 10 CA 00 00 00 00 03 E8 0F 03 20 00 10
+    02 0E 01 F2 6D 04 00 00 00 00 00 00 00 00 00 96  02 12 01 F2 6D 04 00 56 4C 54 20 36 30 30 30 0F 03 20 00 CE
+    02 06 01 04 7C E0 00 9D)
+expect("a drive's parameters and words" STATUS 0 COMMAND ${DECODE} --drive vlt6000 ${conversation} OUTPUT [[
+        request to slave 1: write_word_to_eeprom 202 = 1000, PCD 047F 2000
+            202 output_frequency_high_limit 100.0 Hz; CTW 047F start preset_reference_4 setup_1, reference 50.00 %
+        response from slave 1: word 202 = 1000, PCD 0F03 2000
+            202 output_frequency_high_limit 100.0 Hz; STW 0F03 serial_control control_ready drive_ready speed_equals_reference within_frequency_range running, output frequency 50.00 %
+        request to slave 1: text 621 read, PCD 0000 0000
+            621 unit_type; process data ignored
+        response from slave 1: text 621 "VLT 6000", PCD 0F03 2000
+            621 unit_type; STW 0F03 serial_control control_ready drive_ready speed_equals_reference within_frequency_range running, output frequency 50.00 %
+        request to slave 1: PCD 047C E000
+            CTW 047C start preset_reference_1 setup_1, reference -50.00 %
+]])
+expect("where the direction is unknown, the parameter alone" STATUS 0
+    COMMAND ${DECODE} --drive vlt6000 ${read_and_reply} OUTPUT "
+        to or from slave 1: AK 1 202, PWE 00000000, PCD 047F 2000
+            202 output_frequency_high_limit
+        to or from slave 1: AK 1 202, PWE 000003E8, PCD 0F03 2000
+            202 output_frequency_high_limit
+")
+expect("their meaning in JSON" STATUS 0 COMMAND ${DECODE} --json --drive vlt6000 02 06 20 04 3C 00 00 1C OUTPUT [[
+        {"protocol":"fc","direction":"request","address":0,"broadcast":true,"kind":"process","pcd":[1084,0],"aligned":true,"raw":"020620043C00001C","meaning":"CTW 043C ramp_stop preset_reference_1 setup_1, reference 0.00 %"}
+]])
+expect("that of Modbus too" STATUS 0 COMMAND ${DECODE} --json --drive xd1000 02 06 21 35 00 06 13 C9 OUTPUT [[
+        {"protocol":"modbus-rtu","direction":"request","address":2,"function":6,"name":"write_single_register","register_address":8501,"value":6,"aligned":true,"raw":"02062135000613C9","meaning":"CMD 0006 shutdown"}
+]])

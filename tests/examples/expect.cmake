@@ -1,11 +1,11 @@
 # expect(<what> STATUS <n> [COMMAND <word>...] [INPUT <text>] OUTPUT <text>)
 #
 # Runs the command with the text as its standard input; standard output and standard error together must be OUTPUT, but
-# for a newline at its begin and the spaces that indent its lines.
+# for a newline at its begin and the eight spaces that indent its lines.
 function(expect what)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "STATUS;INPUT;OUTPUT" "COMMAND")
     string(REGEX REPLACE "^\n" "" expected "${arg_OUTPUT}")
-    string(REGEX REPLACE "(^|\n) +" "\\1" expected "${expected}")
+    string(REGEX REPLACE "(^|\n)        " "\\1" expected "${expected}")
     file(WRITE ${WORK}/input "${arg_INPUT}")
     execute_process(COMMAND ${arg_COMMAND} INPUT_FILE ${WORK}/input OUTPUT_VARIABLE output ERROR_VARIABLE output
         RESULT_VARIABLE status)
