@@ -200,7 +200,8 @@ TEST(slave, keeps_the_unused_bit_6_in_its_reply)
     EXPECT_EQ(reply, with_byte(vectors::status_of_22, 2, 0x56));
 }
 
-// "The slave does not send a reply telegram to the master, provided the telegram has been correctly received": nor else.
+// "The slave does not send a reply telegram to the master, provided the telegram has been correctly received": as if it
+// sent one otherwise.
 TEST(slave, carries_out_every_broadcast_and_never_replies_correctly_received_or_not)
 {
     for (unsigned adr = 0; adr < 256; ++adr) {
