@@ -4,8 +4,8 @@
 
 #include <span>
 
-/// FC telegrams. The blocks named after an example are those that the VLT 6000 manual prints; STX, LGE, ADR and BCC were
-/// put around them by hand, BCC from left to right: 02 ^ 0E = 0C, ^ 01 = 0D ...
+/// FC telegrams. The blocks named after an example are those that the VLT 6000 manual prints; STX, LGE, ADR and BCC
+/// were put around them by hand, BCC from left to right: 02 ^ 0E = 0C, ^ 01 = 0D ...
 namespace vectors {
 
 //=== "Example - Read a parameter value": 206; the reply is 10 s, with the process block of the status example ===//
