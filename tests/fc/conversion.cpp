@@ -124,6 +124,16 @@ TEST(conversion, of_index_74_is_3_6_and_disputed)
 TEST(conversion, is_exact_or_refused)
 {
     VERIFY(*conversion(67)->physical(120) == decimal{2, 0});
+    VERIFY(*conversion(67)->physical(30) == decimal{5, -1});
+    VERIFY(*conversion(67)->physical(-3) == decimal{-5, -2});
+    VERIFY(*conversion(67)->transferred(decimal{5, -1}) == 30);
+    VERIFY(*conversion(67)->transferred(decimal{-5, -2}) == -3);
+    VERIFY(conversion(67)->transferred(decimal{1, -2}).error() == error{errc::inexact, 0});
+    for (std::int32_t number = -600; number <= 600; ++number) {  // n / 60 has an end if 3 divides n
+        auto const made = conversion(67)->physical(number);
+        EXPECT_EQ(made.has_value(), number % 3 == 0) << number;
+        if (made) { EXPECT_EQ(*conversion(67)->transferred(*made), number); }
+    }
     VERIFY(conversion(67)->physical(1).error() == error{errc::inexact, 0});
     VERIFY(*conversion(67)->transferred(decimal{2, 0}) == 120);
     VERIFY(conversion(-1)->transferred(decimal{1005, -2}).error() == error{errc::inexact, 0});
@@ -137,8 +147,9 @@ TEST(conversion, does_not_overflow)
     VERIFY(conversion(0)->physical(max)->number == max and conversion(0)->physical(min)->number == min);
     VERIFY(*conversion(2)->physical(max) == decimal{max, 2});
     VERIFY(conversion(75)->physical(596)->number == 2'145'600'000);
-    VERIFY(conversion(75)->physical(597).error() == error{errc::out_of_range, 0});
-    VERIFY(conversion(75)->physical(-597).error() == error{errc::out_of_range, 0});
+    // 597 x 3,600,000 is more than 32 bits, but ends with zeros.
+    VERIFY(*conversion(75)->physical(597) == decimal{21'492, 5});
+    VERIFY(*conversion(75)->physical(-597) == decimal{-21'492, 5});
     VERIFY(conversion(75)->physical(max).error() == error{errc::out_of_range, 0});
     VERIFY(conversion(75)->physical(min).error() == error{errc::out_of_range, 0});
     VERIFY(conversion(-7)->transferred(decimal{215, 0}).error() == error{errc::out_of_range, 0});

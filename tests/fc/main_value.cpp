@@ -312,4 +312,13 @@ TEST(main_value, is_a_reference_or_an_output_frequency_never_the_other)
     VERIFY(forwards != backwards);
 }
 
+TEST(main_value, of_hertz_takes_a_zero_of_whatever_digits)
+{
+    constexpr quantity<unit::hertz> fine_zero{0, -12};
+    constexpr quantity<unit::hertz> coarse_zero{0, 9};
+    VERIFY(reference::make(25_Hz, fine_zero, 50_Hz)->raw() == 0x2000);
+    VERIFY(reference::make(25_Hz, coarse_zero, 50.0_Hz)->raw() == 0x2000);
+    VERIFY(reference::make(fine_zero, coarse_zero, 50_Hz)->raw() == 0);
+}
+
 }  // namespace

@@ -29,7 +29,7 @@ public:
     static constexpr std::uint8_t last_short = 31;
     static constexpr std::uint8_t last_long  = 126;
 
-    [[nodiscard]] static consteval address short_format(int number)
+    [[nodiscard]] static consteval address short_format(long long number)
     {
         if (number == 0) { compile_error::address_0_is_no_slave_a_broadcast_is_written_as_such(); }
         if (number < 1 or number > last_short) {
@@ -38,7 +38,7 @@ public:
         return address{static_cast<std::uint8_t>(number)};
     }
 
-    [[nodiscard]] static consteval address long_format(int number)
+    [[nodiscard]] static consteval address long_format(long long number)
     {
         if (number == 0) { compile_error::address_0_is_no_slave_a_broadcast_is_written_as_such(); }
         if (number < 1 or number > last_long) { compile_error::address_must_be_between_1_and_126_in_the_long_format(); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <drivecodec/core/decimal.hpp>
-#include <drivecodec/core/rounding.hpp>
 #include <drivecodec/core/table.hpp>
 
 #include <array>
@@ -10,7 +9,7 @@
 namespace drivecodec::fc {
 
 /// What a transferred number is to be multiplied with: `number` x 10^`exponent` / `divisor`. VLT 6000 manual,
-/// "Conversion table".
+/// "Conversion table". Preconditions of its functions: number and divisor are positive.
 struct conversion_factor {
     std::int8_t  index;
     std::int8_t  exponent;
@@ -18,37 +17,54 @@ struct conversion_factor {
     std::int32_t divisor     = 1;
     bool         is_disputed = false;  ///< Editions of the same maker's guides print other factors for this index.
 
-    /// The value that was transferred as `number`. Errors, at 0: `inexact` where the divisor leaves a rest,
-    /// `out_of_range` where 32 bits do not hold it.
+    /// The value that was transferred as `transferred`. Errors, at 0: `inexact` for one without an end, as 1/60;
+    /// `out_of_range` where `decimal` does not hold it.
     [[nodiscard]] constexpr result<decimal> physical(std::int32_t transferred) const noexcept
     {
-        auto const product = std::int64_t{transferred} * number;
-        if (product % divisor != 0) { return error{errc::inexact, 0}; }
-        auto const quotient = product / divisor;
-        if (quotient < std::numeric_limits<std::int32_t>::min()
-            or quotient > std::numeric_limits<std::int32_t>::max()) {
-            return error{errc::out_of_range, 0};
+        auto product = std::int64_t{transferred} * number;
+        int  digits  = 0;  // behind the point, besides those of the exponent
+        for (; product % divisor != 0; ++digits) {
+            if (digits == most_digits or product > limits::max() / 10 or product < limits::min() / 10) {
+                return error{errc::inexact, 0};
+            }
+            product *= 10;
         }
-        return decimal{static_cast<std::int32_t>(quotient), exponent};
+        auto quotient = product / divisor;
+        for (; not is_32_bits(quotient) and quotient % 10 == 0; --digits) { quotient /= 10; }
+        if (not is_32_bits(quotient)) { return error{errc::out_of_range, 0}; }
+        return decimal{static_cast<std::int32_t>(quotient), static_cast<std::int8_t>(exponent - digits)};
     }
 
-    /// The number to transfer. Errors, at 0: `inexact` where it has no digits for the value, `out_of_range` where 32
-    /// bits do not hold it.
+    /// The number to transfer. Errors, at 0: `inexact` where none stands for the value, `out_of_range` where 32 bits do
+    /// not hold it.
     [[nodiscard]] constexpr result<std::int32_t> transferred(decimal value) const noexcept
     {
-        auto const scaled = value.scaled_to(exponent);
-        if (not scaled) { return scaled.error(); }
-        auto const product = std::int64_t{*scaled} * divisor;
-        if (product % number != 0) { return error{errc::inexact, 0}; }
-        auto const quotient = product / number;
-        if (quotient < std::numeric_limits<std::int32_t>::min()
-            or quotient > std::numeric_limits<std::int32_t>::max()) {
-            return error{errc::out_of_range, 0};
+        auto product = std::int64_t{value.number} * divisor;
+        if (product == 0) { return 0; }
+        for (int at = value.exponent; at > exponent; --at) {
+            if (product > limits::max() / 10 or product < limits::min() / 10) { return error{errc::out_of_range, 0}; }
+            product *= 10;
         }
-        return static_cast<std::int32_t>(quotient);
+        for (int at = value.exponent; at < exponent; ++at) {
+            if (product % 10 != 0) { return error{errc::inexact, 0}; }
+            product /= 10;
+        }
+        if (product % number != 0) { return error{errc::inexact, 0}; }
+        if (not is_32_bits(product / number)) { return error{errc::out_of_range, 0}; }
+        return static_cast<std::int32_t>(product / number);
     }
 
     friend constexpr bool operator==(conversion_factor, conversion_factor) noexcept = default;
+
+private:
+    using limits = std::numeric_limits<std::int64_t>;
+
+    static constexpr int most_digits = 9;  // a number of 32 bits has no more
+
+    [[nodiscard]] static constexpr bool is_32_bits(std::int64_t given) noexcept
+    {
+        return given >= std::numeric_limits<std::int32_t>::min() and given <= std::numeric_limits<std::int32_t>::max();
+    }
 };
 
 /// All indexes: from -4 to 2 and 74 the VLT 6000 has, the others are of newer FC guides, which count times with them.

@@ -4,6 +4,8 @@
 #include <drivecodec/core/quantity.hpp>
 #include <drivecodec/core/rounding.hpp>
 
+#include <concepts>
+
 namespace drivecodec::fc {
 
 namespace compile_error {
@@ -62,7 +64,7 @@ public:
                                                                  quantity<unit::hertz> at_0_percent,
                                                                  quantity<unit::hertz> at_100_percent) noexcept
     {
-        auto const finest = finest_of(wanted.exponent, at_0_percent.exponent, at_100_percent.exponent);
+        auto const finest = finest_of(wanted, at_0_percent, at_100_percent);
         auto const given  = wanted.scaled_to(finest);
         auto const scale  = scale_of(at_0_percent, at_100_percent, finest);
         if (not given or not scale) { return error{errc::out_of_range, 0}; }
@@ -111,10 +113,13 @@ private:
         std::int64_t span;
     };
 
-    [[nodiscard]] static constexpr int finest_of(int a, int b, int c) noexcept
+    /// The finest exponent of those that are not 0, which has the digits of any.
+    template <std::same_as<quantity<unit::hertz>>... Frequencies>
+    [[nodiscard]] static constexpr int finest_of(Frequencies... each) noexcept
     {
-        auto const finer = a < b ? a : b;
-        return finer < c ? finer : c;
+        int finest = std::numeric_limits<std::int8_t>::max();
+        ((finest = each.number != 0 and each.exponent < finest ? each.exponent : finest), ...);
+        return finest;
     }
 
     [[nodiscard]] static constexpr result<limits> scale_of(quantity<unit::hertz> at_0_percent,

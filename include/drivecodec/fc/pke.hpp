@@ -70,7 +70,7 @@ class basic_parameter_number {
 public:
     static constexpr std::uint16_t last = (1U << Layout::parameter_number_bits) - 1U;
 
-    consteval basic_parameter_number(int number) : number_{static_cast<std::uint16_t>(number)}
+    consteval basic_parameter_number(long long number) : number_{static_cast<std::uint16_t>(number)}
     {
         if (number < 0 or number > last) { compile_error::parameter_number_must_be_between_0_and<last>(); }
     }
