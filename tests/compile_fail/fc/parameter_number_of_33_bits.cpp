@@ -4,7 +4,7 @@
 using namespace drivecodec::fc;
 
 #ifdef OK
-constexpr auto asked = read_value<fc_layout>(0x1'0000'0001, data_not_valid);
+constexpr auto asked = read_value(1, data_not_valid);
 #else
 constexpr auto asked = read_value(0x1'0000'0001, data_not_valid);
 #endif
