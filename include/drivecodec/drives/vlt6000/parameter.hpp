@@ -103,9 +103,9 @@ struct basic_parameter {
 
     /// A constant that was found fit for the parameter by the compiler, which refuses all others.
     struct constant {
-        std::uint32_t pwe;
+        std::uint32_t pwe = 0;
 
-        consteval constant(Value wanted) : pwe{}
+        consteval constant(Value wanted)
         {
             if constexpr (not row.is_writable()) {
                 detail::refuse_to_write<row.access>();
