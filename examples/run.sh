@@ -125,7 +125,7 @@ wait_for_line
 vlt() {
     show vlt6000_control --device "$line" --address 1 "$@"
 }
-vlt write 206 5
+vlt write 206 5 --eeprom
 vlt write 207 5 --as word --scale 0
 vlt status
 vlt --verbose start 50%

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -52,7 +53,7 @@ protected:
     status_word keep_sending(unsigned word, std::uint16_t reference, double seconds)
     {
         auto status = send(word, reference);
-        for (int tenths = static_cast<int>(seconds * 10 + 0.5); tenths > 0; --tenths) {
+        for (auto tenths = std::lround(seconds * 10); tenths > 0; --tenths) {
             drive.go_on(100ms);
             status = send(word, reference);
         }
@@ -63,9 +64,7 @@ protected:
     /// Nobody asks.
     void be_silent(double seconds)
     {
-        for (int hundredths = static_cast<int>(seconds * 100 + 0.5); hundredths > 0; --hundredths) {
-            drive.go_on(10ms);
-        }
+        for (auto hundredths = std::lround(seconds * 100); hundredths > 0; --hundredths) { drive.go_on(10ms); }
     }
 
     fc::parameter_answer ask(unsigned pke, unsigned ind = 0, std::uint32_t pwe = 0)
@@ -88,7 +87,7 @@ protected:
         auto const said    = ask((is_word ? 0x2000U : 0x3000U) | number, 0, is_word ? bits & 0xFFFFU : bits);
         EXPECT_NE(said.reply(), fc::ak_reply::cannot_be_executed) << number << ": error " << said.pwe();
     }
-    void expect_error(unsigned number, fc::parameter_answer said)
+    static void expect_error(unsigned number, fc::parameter_answer said)
     {
         EXPECT_EQ(said.reply(), fc::ak_reply::cannot_be_executed);
         EXPECT_EQ(said.pwe(), number);
@@ -594,7 +593,7 @@ TEST_F(VltDrive, ram_forgets_and_eeprom_remembers)
 TEST_F(VltDrive, eeprom_may_be_a_file)
 {
     auto const path = testing::TempDir() + "vlt6000_eeprom";
-    std::remove(path.c_str());
+    static_cast<void>(std::remove(path.c_str()));
     settings.eeprom = path;
     {
         vlt6000_drive first{settings};
@@ -608,7 +607,7 @@ TEST_F(VltDrive, eeprom_may_be_a_file)
     }
     std::ofstream{path} << "no EEPROM\n";
     EXPECT_THROW(vlt6000_drive{settings}, std::system_error);
-    std::remove(path.c_str());
+    static_cast<void>(std::remove(path.c_str()));
 }
 
 TEST_F(VltDrive, read_outs_follow_the_motor)
