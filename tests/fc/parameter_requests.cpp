@@ -101,6 +101,22 @@ TEST(parameter_requests, take_integers_of_up_to_32_bits_as_a_double_word)
     VERIFY(not std::is_constructible_v<double_word_value, std::int64_t>);
 }
 
+constexpr std::uint8_t index_of(array_index_value constant)
+{
+    return constant.raw;
+}
+
+TEST(parameter_requests, take_every_byte_as_an_array_index)
+{
+    VERIFY(index_of(0) == 0 and index_of(1) == 1 and index_of(255) == 255);
+    VERIFY(index_of(255U) == 255 and index_of(255LL) == 255 and index_of(std::int16_t{7}) == 7);
+    for (unsigned index = 0; index <= 255; ++index) {
+        auto const asked = read_value(615, static_cast<std::uint8_t>(index), data_not_valid);
+        ASSERT_EQ(asked.array_index(), index);
+        ASSERT_EQ(asked.ind.raw, index);
+    }
+}
+
 TEST(parameter_requests, take_a_number_known_only_at_run_time)
 {
     for (std::uint16_t number = 0; number <= 2047; ++number) {

@@ -14,8 +14,9 @@ namespace drivecodec::fc {
 enum class storage : std::uint8_t { ram, ram_and_eeprom };
 
 namespace compile_error {
-// Declared, never defined, not constexpr: calling it is how a consteval function says no. Its name is the text.
+// Declared, never defined, not constexpr: calling one is how a consteval function says no. Its name is the text.
 void a_word_must_be_between_minus_32768_and_65535();
+void an_array_index_must_be_between_0_and_255();
 }  // namespace compile_error
 
 /// 16 bits to write, from a signed or an unsigned number: which of the two the parameter has is not told.
@@ -35,6 +36,20 @@ struct word_value {
         requires(sizeof(T) <= 2)
     constexpr word_value(T number) noexcept : raw{static_cast<std::uint16_t>(number)}
     {}
+};
+
+/// The element of an array: the low byte of IND.
+struct array_index_value {
+    std::uint8_t raw;
+
+    /// A constant; one beyond a byte does not compile.
+    template <std::integral T>
+        requires(sizeof(T) > 1)
+    consteval array_index_value(T number) : raw{static_cast<std::uint8_t>(number)}
+    {
+        if (number < T{0} or number > T{0xFF}) { compile_error::an_array_index_must_be_between_0_and_255(); }
+    }
+    constexpr array_index_value(std::same_as<std::uint8_t> auto number) noexcept : raw{number} {}
 };
 
 /// 32 bits to write.
@@ -78,42 +93,42 @@ template <typename Layout = vlt_layout>
 
 /// Reads one element of an array, such as 615.
 template <typename Layout = vlt_layout>
-[[nodiscard]] constexpr basic_parameter_request<Layout> read_value(number_of<Layout> number, std::uint8_t array_index,
-                                                                   process_of<Layout> process) noexcept
+[[nodiscard]] constexpr basic_parameter_request<Layout>
+read_value(number_of<Layout> number, array_index_value array_index, process_of<Layout> process) noexcept
 {
-    return any_command<Layout>(ak_command::read_value, number, ind::from_raw(array_index), 0, process);
+    return any_command<Layout>(ak_command::read_value, number, ind::from_raw(array_index.raw), 0, process);
 }
 
 template <typename Layout = vlt_layout>
-[[nodiscard]] constexpr basic_parameter_request<Layout> write_word(number_of<Layout> number, std::uint8_t array_index,
-                                                                   word_value contents, storage where,
-                                                                   process_of<Layout> process) noexcept
+[[nodiscard]] constexpr basic_parameter_request<Layout> write_word(number_of<Layout> number,
+                                                                   array_index_value array_index, word_value contents,
+                                                                   storage where, process_of<Layout> process) noexcept
 {
     auto const command = where == storage::ram ? ak_command::write_word : ak_command::write_word_to_eeprom;
-    return any_command<Layout>(command, number, ind::from_raw(array_index), contents.raw, process);
+    return any_command<Layout>(command, number, ind::from_raw(array_index.raw), contents.raw, process);
 }
 template <typename Layout = vlt_layout>
 [[nodiscard]] constexpr basic_parameter_request<Layout> write_word(number_of<Layout> number, word_value contents,
                                                                    storage where, process_of<Layout> process) noexcept
 {
-    return write_word<Layout>(number, std::uint8_t{0}, contents, where, process);
+    return write_word<Layout>(number, 0, contents, where, process);
 }
 
 template <typename Layout = vlt_layout>
 [[nodiscard]] constexpr basic_parameter_request<Layout>
-write_double_word(number_of<Layout> number, std::uint8_t array_index, double_word_value contents, storage where,
+write_double_word(number_of<Layout> number, array_index_value array_index, double_word_value contents, storage where,
                   process_of<Layout> process) noexcept
 {
     auto const command =
         where == storage::ram ? ak_command::write_double_word : ak_command::write_double_word_to_eeprom;
-    return any_command<Layout>(command, number, ind::from_raw(array_index), contents.raw, process);
+    return any_command<Layout>(command, number, ind::from_raw(array_index.raw), contents.raw, process);
 }
 template <typename Layout = vlt_layout>
 [[nodiscard]] constexpr basic_parameter_request<Layout> write_double_word(number_of<Layout> number,
                                                                           double_word_value contents, storage where,
                                                                           process_of<Layout> process) noexcept
 {
-    return write_double_word<Layout>(number, std::uint8_t{0}, contents, where, process);
+    return write_double_word<Layout>(number, 0, contents, where, process);
 }
 
 }  // namespace drivecodec::fc
