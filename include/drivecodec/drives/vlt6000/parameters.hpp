@@ -28,8 +28,8 @@ struct value_of {
     static constexpr bool is_code    = row.kind == kind::bits or row.kind == kind::choice;
     static constexpr bool is_counted = row.kind == kind::unknown or (row.unit == unit::none and row.limits.is_known);
 
-    using type = std::conditional_t<is_code, std::uint16_t,
-                                    std::conditional_t<is_counted, std::int32_t, quantity<row.unit>>>;
+    using type =
+        std::conditional_t<is_code, std::uint16_t, std::conditional_t<is_counted, std::int32_t, quantity<row.unit>>>;
 };
 
 template <typename Value>
@@ -57,6 +57,12 @@ template <> struct value_of<532> : value_is<extended_status_word> {};
 template <> struct value_of<556> : value_is<bus_time_interval_function> {};
 // clang-format on
 
+/// 0, which no parameter has, for what is no number of 16 bits: not that of another parameter.
+[[nodiscard]] consteval std::uint16_t not_wrapped(int number)
+{
+    return number < 0 or number > 0xFFFF ? std::uint16_t{0} : static_cast<std::uint16_t>(number);
+}
+
 template <std::uint16_t Number>
 [[nodiscard]] consteval auto parameter_of()
 {
@@ -73,7 +79,7 @@ template <std::uint16_t Number>
 
 /// The parameter of this number, of those that the manual names.
 template <int Number>
-inline constexpr auto parameter = detail::parameter_of<static_cast<std::uint16_t>(Number)>();
+inline constexpr auto parameter = detail::parameter_of<detail::not_wrapped(Number)>();
 
 // By name, as the table has it; in a namespace of their own, since the manual has a control word and a parameter called
 // so. Names that several parameters share are left to the numbers.
