@@ -60,6 +60,9 @@ TEST(parameter, example_201_is_transferred_in_tenths)
 {
     constexpr auto low_limit = parameter<201>.as<fc::data_type::unsigned_16, -1>;
     VERIFY(low_limit.write(10_Hz, fc::storage::ram, none).pwe == 100);
+    // What the manual states need not be said, and is not forgotten.
+    VERIFY(parameter<201>.as<fc::data_type::unsigned_16>.write(10_Hz, fc::storage::ram, none).pwe == 100);
+    VERIFY(*parameter<201>.value(response(0x10C9, 100)) == 10_Hz);
 }
 
 //=== the process data are the caller's, and may be known at run time only ===//
@@ -100,7 +103,7 @@ TEST(parameter, run_time_values_are_refused_with_a_reason)
 
 TEST(parameter, the_bus_time_interval_has_its_limits)
 {
-    constexpr auto interval = parameter<555>.as<fc::data_type::unsigned_16>;
+    constexpr auto interval = parameter<555>.as<fc::data_type::unsigned_16, 0>;
     for (std::int32_t seconds = 0; seconds <= 65536; ++seconds) {
         auto const asked = interval.make_write({seconds, 0}, fc::storage::ram, none);
         ASSERT_EQ(asked.has_value(), seconds >= 1 and seconds <= 65534) << seconds;
@@ -116,6 +119,22 @@ TEST(parameter, a_choice_must_be_one_that_the_manual_prints)
     }
     // Of the process units the manual names one.
     EXPECT_TRUE(parameter<415>.make_write(static_cast<vlt6000::process_unit>(7), fc::storage::ram, none).has_value());
+}
+
+TEST(parameter, a_choice_of_more_than_16_bits_is_none_of_those_of_16)
+{
+    for (std::uint32_t code = 0; code <= 3; ++code) {
+        EXPECT_EQ(*parameter<505>.value(response(0x21F9, code)), static_cast<vlt6000::gating>(code));
+        for (unsigned bit = 16; bit < 32; ++bit) {
+            auto const bits = response(0x21F9, std::uint32_t{1} << bit | code);
+            EXPECT_EQ(parameter<505>.value(bits).error(), (error{errc::out_of_range, 0})) << bit;
+            EXPECT_EQ(parameter<323>.value(response(0x2143, bits.pwe)).error(), (error{errc::out_of_range, 0})) << bit;
+        }
+    }
+    constexpr auto with_sign = parameter<505>.as<fc::data_type::integer_16>;
+    VERIFY(with_sign.value(response(0x11F9, 0xFFFF)).error() == error{errc::out_of_range, 0});
+    VERIFY(*parameter<505>.as<fc::data_type::unsigned_16>.value(response(0x11F9, 0xFFFF))
+           == static_cast<vlt6000::gating>(0xFFFF));
 }
 
 TEST(parameter, address_and_baud_rate_cannot_be_set_over_the_bus)

@@ -24,6 +24,15 @@ TEST(transfer, what_the_user_says_has_width_sign_and_scale)
            == transfer{fc::width::double_word, data_type::unsigned_32, std::int8_t{2}});
 }
 
+TEST(transfer, of_the_conversion_indexes_those_from_minus_7_to_6_are_powers_of_ten)
+{
+    for (int index = -1000; index <= 1000; ++index) {
+        EXPECT_EQ(is_power_of_ten(index), index >= -7 and index <= 6) << index;
+    }
+    VERIFY(not is_power_of_ten(74));
+    VERIFY(transfer::as(data_type::unsigned_8, {}) == transfer{fc::width::word, data_type::unsigned_8, {}});
+}
+
 TEST(transfer, numbers_have_the_ends_of_their_type)
 {
     constexpr auto ends_are = [](transfer how, std::int32_t min, std::int32_t max) {

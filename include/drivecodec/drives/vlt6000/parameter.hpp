@@ -5,6 +5,8 @@
 #include <drivecodec/drives/vlt6000/transfer.hpp>
 #include <drivecodec/fc/text_requests.hpp>
 
+#include <concepts>
+
 namespace drivecodec::vlt6000 {
 
 namespace compile_error {
@@ -13,6 +15,7 @@ void this_parameter_is_read_only();
 void this_parameter_is_set_at_the_control_panel_and_not_over_the_bus();
 void the_value_has_more_digits_than_the_parameter_can_hold();
 void the_value_is_outside_the_limits_of_the_parameter();
+void the_parameter_has_another_unit_or_one_that_is_to_be_said_in_its_as();
 template <int Most>
 void the_text_has_at_most_so_many_characters();
 }  // namespace compile_error
@@ -28,6 +31,12 @@ consteval void refuse_to_write()
     } else {
         compile_error::this_parameter_is_read_only();
     }
+}
+
+template <unit Unit>
+consteval void refuse_unit()
+{
+    compile_error::the_parameter_has_another_unit_or_one_that_is_to_be_said_in_its_as();
 }
 
 }  // namespace detail
@@ -48,15 +57,33 @@ struct basic_parameter {
 
     static constexpr bool is_quantity = requires(Value wanted) { wanted.scaled_to(0); };
 
+private:
+    static constexpr auto stated_index = row.conversion_index ? stated<int>{*row.conversion_index} : stated<int>{};
+
+    template <fc::data_type Type, stated<int> ConversionIndex, drivecodec::unit Unit>
+    [[nodiscard]] static consteval auto said_as()
+    {
+        static_assert(fc::is_number(Type), "only integer_16 to unsigned_32 are transferred as a number");
+        static_assert(not row.width or *row.width == fc::width_of(Type),
+                      "the manual states another width of this parameter");
+        static_assert(not stated_index or ConversionIndex == stated_index,
+                      "the manual states another conversion index of this parameter");
+        static_assert(is_power_of_ten(ConversionIndex.value),
+                      "this conversion index is no power of ten: transfer the number itself, with fc::write_word");
+        static_assert(row.unit == unit::none or Unit == row.unit, "the manual states another unit of this parameter");
+        return basic_parameter<Number, std::conditional_t<is_quantity, quantity<Unit>, Value>,
+                               transfer::as(Type, ConversionIndex)>{};
+    }
+
+public:
     using value_type = Value;
     using request    = fc::parameter_request;
     using response   = fc::parameter_response;
 
-    /// The same, transferred so; conversion index and unit count for numbers only.
-    template <fc::data_type Type, int ConversionIndex = 0, drivecodec::unit Unit = row.unit>
-    static constexpr basic_parameter<Number, std::conditional_t<is_quantity, quantity<Unit>, Value>,
-                                     transfer::as(Type, ConversionIndex)>
-        as{};
+    /// The same, transferred so; conversion index and unit count for numbers only. What the manual states needs not be
+    /// said, and cannot be said otherwise.
+    template <fc::data_type Type, stated<int> ConversionIndex = stated_index, drivecodec::unit Unit = row.unit>
+    static constexpr auto as = said_as<Type, ConversionIndex, Unit>();
 
     [[nodiscard]] static constexpr std::uint16_t number() noexcept { return Number; }
 
@@ -77,7 +104,7 @@ struct basic_parameter {
     /// What a response brings. Codes and bits without a meaning survive.
     ///
     /// Errors, at 0: `bad_value` where it brings no value, or another width than that of the data type; `out_of_range`
-    /// for a number that 32 bits do not hold, or whose sign nobody states.
+    /// for a number that 32 bits do not hold, or whose sign nobody states, and for a choice of more than 16 bits.
     [[nodiscard]] static constexpr result<Value> value(response const& given) noexcept
     {
         if constexpr (is_quantity) {
@@ -94,6 +121,8 @@ struct basic_parameter {
             if constexpr (is_quantity) {
                 return Value{*found, exponent};
             } else {
+                constexpr auto is_code = not std::same_as<Value, std::int32_t>;
+                if (is_code and (*found < 0 or *found > 0xFFFF)) { return error{errc::out_of_range, 0}; }
                 return static_cast<Value>(*found);
             }
         }
@@ -104,6 +133,14 @@ struct basic_parameter {
     /// A constant that was found fit for the parameter by the compiler, which refuses all others.
     struct constant {
         std::uint32_t pwe = 0;
+
+        /// A value in another unit.
+        template <drivecodec::unit Unit>
+            requires is_quantity
+        consteval constant(quantity<Unit>)
+        {
+            detail::refuse_unit<Unit>();
+        }
 
         consteval constant(Value wanted)
         {
@@ -190,8 +227,9 @@ struct text_parameter {
     template <std::size_t Size>
     [[nodiscard]] static consteval auto write(char const (&text)[Size], fc::process_command process)
     {
-        if constexpr (not row.is_writable()) { detail::refuse_to_write<row.access>(); }
-        if (Size - 1 > row.max_text_length) {
+        if constexpr (not row.is_writable()) {
+            detail::refuse_to_write<row.access>();
+        } else if (Size - 1 > row.max_text_length) {
             compile_error::the_text_has_at_most_so_many_characters<int{row.max_text_length}>();
         }
         return fc::write_text(pnu, text, process);

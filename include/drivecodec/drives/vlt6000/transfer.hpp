@@ -2,9 +2,18 @@
 #pragma once
 
 #include <drivecodec/drives/vlt6000/parameter_row.hpp>
+#include <drivecodec/fc/conversion.hpp>
 #include <drivecodec/fc/parameter.hpp>
 
 namespace drivecodec::vlt6000 {
+
+/// Does this index stand for that power of ten? 74 and other indexes of times do not.
+[[nodiscard]] constexpr bool is_power_of_ten(int conversion_index) noexcept
+{
+    if (conversion_index < -128 or conversion_index > 127) { return false; }
+    auto const factor = fc::conversion(static_cast<std::int8_t>(conversion_index));
+    return factor and *factor == fc::conversion_factor{.index = factor->index, .exponent = factor->index};
+}
 
 /// How a value lies in PWE, as far as it is known: because the manual states it, or the user.
 struct transfer {
@@ -18,10 +27,12 @@ struct transfer {
         return {row.width, row.data_type, row.conversion_index};
     }
 
-    /// As the user states it. Precondition: fc::is_number(type).
-    [[nodiscard]] static constexpr transfer as(fc::data_type type, int conversion_index) noexcept
+    /// As the user states it. Preconditions: fc::is_number(type), is_power_of_ten(conversion_index) if it is said.
+    [[nodiscard]] static constexpr transfer as(fc::data_type type, stated<int> conversion_index) noexcept
     {
-        return {fc::width_of(type), type, static_cast<std::int8_t>(conversion_index)};
+        transfer said{.width = fc::width_of(type), .data_type = type};
+        if (conversion_index) { said.conversion_index = static_cast<std::int8_t>(*conversion_index); }
+        return said;
     }
 
     friend constexpr bool operator==(transfer const&, transfer const&) noexcept = default;

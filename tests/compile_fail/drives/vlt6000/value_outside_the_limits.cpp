@@ -9,5 +9,5 @@ constexpr auto interval = 65534_s;
 #else
 constexpr auto interval = 65535_s;
 #endif
-constexpr auto request = vlt6000::parameter<555>.as<fc::data_type::unsigned_16>.write(interval, fc::storage::ram,
-                                                                                      fc::data_not_valid);
+constexpr auto request =
+    vlt6000::parameter<555>.as<fc::data_type::unsigned_16, 0>.write(interval, fc::storage::ram, fc::data_not_valid);

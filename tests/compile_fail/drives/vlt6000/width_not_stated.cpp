@@ -5,7 +5,7 @@ using namespace drivecodec;
 using namespace drivecodec::literals;
 
 #ifdef OK
-constexpr auto interval = vlt6000::parameter<555>.as<fc::data_type::unsigned_16>;
+constexpr auto interval = vlt6000::parameter<555>.as<fc::data_type::unsigned_16, 0>;
 #else
 constexpr auto interval = vlt6000::parameter<555>;
 #endif
