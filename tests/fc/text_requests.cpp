@@ -25,6 +25,9 @@ TEST(text_requests, write_with_ind_0500h_and_without_a_terminating_zero)
 {
     VERIFY(encode(write_text(533, "HELLO", data_not_valid)) == "F2 15 05 00 48 45 4C 4C 4F 00 00 00 00"_hex);
     VERIFY(encode(write_text(534, "", data_valid(0x047F, 50_percent))) == "F2 16 05 00 04 7F 20 00"_hex);
+    static constexpr char letters[]{'H', 'I', '\0'};
+    VERIFY(encode(write_text(534, letters, data_not_valid)) == "F2 16 05 00 48 49 00 00 00 00"_hex);
+    VERIFY(encode(write_text(534, "H\0I", data_not_valid)) == "F2 16 05 00 48 00 49 00 00 00 00"_hex);
 }
 
 // The manual says first that texts can only be read, then writes those of 533 and 534.

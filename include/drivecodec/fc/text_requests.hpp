@@ -9,9 +9,10 @@
 namespace drivecodec::fc {
 
 namespace compile_error {
-// Declared, never defined, not constexpr: calling it is how a consteval function says no. Its name is the text.
+// Declared, never defined, not constexpr: calling one is how a consteval function says no. Its name is the text.
 template <int Most>
 void a_text_has_at_most_so_many_characters();
+void a_constant_text_ends_with_a_zero_which_is_not_sent();
 }  // namespace compile_error
 
 namespace detail {
@@ -31,7 +32,7 @@ template <typename Layout = vlt_layout>
     return {number.with(ak_command::text), detail::ind_of(text_access::read), {}, process};
 }
 
-/// Writes a text known to the compiler, without the literal's terminating zero.
+/// Writes a text known to the compiler, without the literal's terminating zero; an array without one does not compile.
 template <typename Layout = vlt_layout, std::size_t Size>
 [[nodiscard]] consteval basic_fixed_text_request<Layout, Size - 1>
 write_text(number_of<Layout> number, char const (&text)[Size], process_of<Layout> process)
@@ -39,6 +40,7 @@ write_text(number_of<Layout> number, char const (&text)[Size], process_of<Layout
     if (Size - 1 > max_text_size<Layout>) {
         compile_error::a_text_has_at_most_so_many_characters<int{max_text_size<Layout>}>();
     }
+    if (text[Size - 1] != '\0') { compile_error::a_constant_text_ends_with_a_zero_which_is_not_sent(); }
     basic_fixed_text_request<Layout, Size - 1> made{
         number.with(ak_command::text), detail::ind_of(text_access::write), {}, process};
     for (std::size_t i = 0; i + 1 < Size; ++i) { made.characters[i] = static_cast<std::uint8_t>(text[i]); }
