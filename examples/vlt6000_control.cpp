@@ -110,9 +110,10 @@ public:
         if (fault.code() != drivecodec::errc::exception_reply) {
             throw drive_error{std::string{explain(fault.code())}};
         }
-        auto const number = static_cast<unsigned>(fault.number());
-        throw drive_error{"the drive refuses with error " + std::to_string(number) + ": "
-                          + std::string{explain(fault.number())}};
+        auto const number  = static_cast<unsigned>(fault.number());
+        auto const meaning = explain(fault.number());
+        throw drive_error{"the drive refuses with error " + std::to_string(number) + (meaning.empty() ? "" : ": ")
+                          + std::string{meaning}};
     }
 
     /// The value of a parameter of which the manual states how it is transferred.

@@ -140,9 +140,9 @@ private:
         auto const share = std::abs(frequency_) / memory_.get(104);  // of the motor's nominal frequency
         auto const kw    = memory_.get(102) / 1000.0 * share * share * share;
         switch (number) {
-        case 509: return word_of(resulting_reference() * 10);           // %, -1
-        case 510: return double_word_of(reference_frequency() * 1000);  // Hz, -3
-        case 511: return double_word_of(feedback());                    // -3
+        case 509: return word_of(resulting_reference() * 10);                                            // %, -1
+        case 510: return double_word_of(reference_frequency() * 1000);                                   // Hz, -3
+        case 511: return double_word_of(feedback());                                                     // -3
         case 512: return word_of(frequency_ * 10);                                                       // Hz, -1
         case 513: return double_word_of(memory_.get(5) * std::abs(frequency_) / highest());              // -2
         case 514: return word_of(memory_.get(105) * (frequency_ == 0 ? 0 : 0.3 + 0.7 * share * share));  // A, -2

@@ -130,13 +130,12 @@ public:
 
     [[nodiscard]] status_word status() const
     {
-        using s                = status_word;
-        auto const is_tripped  = alarms_.raw != 0;
-        auto const warnings    = all_warnings();
-        auto const voltage     = warning_word::of(warning_word::undervoltage, warning_word::overvoltage,
-                                                  warning_word::voltage_warning_low, warning_word::voltage_warning_high);
-        auto const temperature = warning_word::of(warning_word::motor_thermistor, warning_word::motor_overtemperature,
-                                                  warning_word::inverter_overtemperature);
+        using s               = status_word;
+        using w               = warning_word;
+        auto const is_tripped = alarms_.raw != 0;
+        auto const warnings   = all_warnings();
+        auto const voltage    = w::of(w::undervoltage, w::overvoltage, w::voltage_warning_low, w::voltage_warning_high);
+        auto const temperature = w::of(w::motor_thermistor, w::motor_overtemperature, w::inverter_overtemperature);
 
         auto status = s::of(s::drive_ready);
         set(status, is_tripped ? s::tripped : s::control_ready);
@@ -148,7 +147,7 @@ public:
         set(status, s::within_frequency_range, frequency_ == 0 or (magnitude > lowest() and magnitude < highest()));
         set(status, s::running, is_running());
         set(status, s::voltage_warning, (warnings.raw & voltage.raw) != 0);
-        set(status, s::current_limit, warnings.test(warning_word::current_limit));
+        set(status, s::current_limit, warnings.test(w::current_limit));
         set(status, s::thermal_warning, (warnings.raw & temperature.raw) != 0);
         return status;
     }

@@ -14,8 +14,8 @@
 #include <string>
 #include <string_view>
 
-// Values of a VLT 6000's parameters on a command line. Of many, the manual does not state how they are transferred: then
-// the user has to.
+// Values of a VLT 6000's parameters on a command line. Of many, the manual does not state how they are transferred:
+// then the user has to.
 
 namespace support {
 

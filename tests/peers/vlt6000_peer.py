@@ -360,7 +360,7 @@ def control_with_a_slave_by_hand(program, checks):
     with ask("--echo", "read", "202") as (process, line):
         line.send(line.receive(16), reply)
         checks.equal("an adapter with echo", support.finish(process), printed)
-    for error, meaning in ((131, "the factory setup is selected"), (99, "error 99")):
+    for error, meaning in ((131, "the factory setup is selected"), (99, "error 99\n")):
         with ask("read", "202") as (process, line):
             line.receive(16)
             line.send(telegram(SHORT, parameter(0x70CA, 0, error)))
