@@ -139,8 +139,10 @@ TEST(parameter_requests, have_what_they_were_given)
 TEST(parameter_requests, have_numbers_of_12_bits_and_more_words_in_other_layouts)
 {
     using wide = data_layout<4, 12>;
+    constexpr std::uint16_t third{0x1122};
+    constexpr std::uint16_t fourth{0x3344};
     VERIFY(encode(read_value<fc_layout>(4095, data_not_valid)) == "1F FF 00 00 00 00 00 00 00 00 00 00"_hex);
-    VERIFY(encode(write_word<wide>(2048, 1, storage::ram, data_valid<wide>(0x047F, 50_percent, 0x1122, 0x3344)))
+    VERIFY(encode(write_word<wide>(2048, 1, storage::ram, data_valid<wide>(0x047F, 50_percent, third, fourth)))
            == "28 00 00 00 00 00 00 01 04 7F 20 00 11 22 33 44"_hex);
     VERIFY(encode(write_double_word<wide>(2048, 3, 1, storage::ram, data_not_valid))
            == "38 00 00 03 00 00 00 01 00 00 00 00 00 00 00 00"_hex);

@@ -98,11 +98,15 @@ TEST(process, takes_the_words_of_a_drive)
 
 TEST(process, has_as_many_words_as_its_layout)
 {
-    VERIFY(wire_of(data_valid<four_words>(0x047F, 50_percent, 0x1122, 0x3344)) == "04 7F 20 00 11 22 33 44"_hex);
+    constexpr std::uint16_t third  = 0x1122;
+    constexpr std::int16_t  fourth = -2;
+    VERIFY(wire_of(data_valid<four_words>(0x047F, 50_percent, third, fourth)) == "04 7F 20 00 11 22 FF FE"_hex);
     VERIFY(wire_of(basic_process_command<four_words>{data_not_valid}) == "00 00 00 00 00 00 00 00"_hex);
-    VERIFY(wire_of(basic_process_status<four_words>{0x0F03, 50_percent, 1, 2}) == "0F 03 20 00 00 01 00 02"_hex);
-    VERIFY(wire_of(data_valid<four_words>(my_word{0x047F}, 50_percent, 1, 2)) == "04 7F 20 00 00 01 00 02"_hex);
-    VERIFY(basic_process_status<four_words>{my_word{0x0F03}, 50_percent, 1, 2}.pcd(3) == 2);
+    VERIFY(wire_of(basic_process_status<four_words>{0x0F03, 50_percent, third, fourth})
+           == "0F 03 20 00 11 22 FF FE"_hex);
+    VERIFY(wire_of(data_valid<four_words>(my_word{0x047F}, 50_percent, fourth, third))
+           == "04 7F 20 00 FF FE 11 22"_hex);
+    VERIFY(basic_process_status<four_words>{my_word{0x0F03}, 50_percent, fourth, third}.pcd(3) == 0x1122);
     VERIFY(basic_process_status<most_words>::wire_size() == 32);
 }
 
@@ -111,10 +115,12 @@ concept takes = requires(More... more) { data_valid<Layout>(std::uint16_t{}, ref
 
 TEST(process, takes_no_other_number_of_words)
 {
-    VERIFY(takes<vlt_layout> and not takes<vlt_layout, int>);
-    VERIFY(takes<four_words, int, int>);
-    VERIFY(not takes<four_words> and not takes<four_words, int> and not takes<four_words, int, int, int>);
-    VERIFY(not takes<four_words, int, char const*>);
+    using u16 = std::uint16_t;
+    VERIFY(takes<vlt_layout> and not takes<vlt_layout, u16>);
+    VERIFY(takes<four_words, u16, u16> and takes<four_words, std::int16_t, u16>);
+    VERIFY(not takes<four_words> and not takes<four_words, u16> and not takes<four_words, u16, u16, u16>);
+    VERIFY(not takes<four_words, u16, int> and not takes<four_words, std::uint32_t, u16>);
+    VERIFY(not takes<four_words, u16, bool> and not takes<four_words, double, u16>);
 }
 
 template <typename Block>

@@ -447,7 +447,7 @@ TEST(slave, serves_other_layouts)
         [](basic_parameter_request<wide> const& asked) { return parameter_answer::value(asked.number()); },
         [](basic_text_request<wide> const& asked) -> text_answer { return asked.characters; },
     };
-    constexpr auto command = data_valid<wide>(0x047F, 50_percent, 1, 2);
+    constexpr auto command = data_valid<wide>(0x047F, 50_percent, std::uint16_t{1}, std::uint16_t{2});
     EXPECT_EQ(serve_with<wide>(one, encode(one, command), handler), telegram_of(1, "0F 03 20 00 00 02 00 01"_hex));
     EXPECT_EQ(serve_with<wide>(one, encode(one, read_value<wide>(4000, command)), handler),
               telegram_of(1, "1F A0 00 00 00 00 0F A0 0F 03 20 00 00 02 00 01"_hex));

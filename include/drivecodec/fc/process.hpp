@@ -24,6 +24,7 @@ class process_block {
 public:
     [[nodiscard]] static constexpr std::size_t wire_size() noexcept { return Layout::process_size; }
 
+    /// PCD1 has index 0. Precondition: index < Layout::process_words.
     [[nodiscard]] constexpr std::uint16_t pcd(std::size_t index) const noexcept { return words_[index]; }
     [[nodiscard]] constexpr std::span<std::uint16_t const, Layout::process_words> pcd() const noexcept
     {
@@ -69,10 +70,12 @@ private:
     std::array<std::uint16_t, Layout::process_words> words_{};
 };
 
+template <typename T>
+concept pcd_word = std::same_as<T, std::uint16_t> or std::same_as<T, std::int16_t>;  // nothing is cut off
+
 /// As many words as the layout has beyond the two that all have.
 template <typename Layout, typename... More>
-concept further_words =
-    2 + sizeof...(More) == Layout::process_words and (std::convertible_to<More, std::uint16_t> and ...);
+concept further_words = 2 + sizeof...(More) == Layout::process_words and (pcd_word<More> and ...);
 
 }  // namespace detail
 
@@ -124,7 +127,8 @@ private:
 };
 using process_command = basic_process_command<vlt_layout>;
 
-/// Process data that the slave obeys: bit 10 is set, whatever the word says. Words beyond the second are the layout's.
+/// Process data that the slave obeys: bit 10 is set, whatever the word says. Words beyond the second are the layout's,
+/// each a `std::uint16_t` or `std::int16_t`.
 template <typename Layout = vlt_layout, typename... More>
     requires detail::further_words<Layout, More...>
 [[nodiscard]] constexpr basic_process_command<Layout> data_valid(std::uint16_t control_word, reference wanted,

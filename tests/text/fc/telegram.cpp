@@ -35,7 +35,10 @@ TEST(text_fc_process, shows_all_words)
     VERIFY(reads(data_valid(0x047F, 50_percent), "PCD 047F 2000"));
     VERIFY(reads(data_valid(0x007F, -100_percent), "PCD 047F C000"));
     VERIFY(reads(process_status{0x0F03, 50_percent}, "PCD 0F03 2000"));
-    VERIFY(reads(data_valid<six_words>(0x047F, 50_percent, 1, 2, 0xABCD, 4), "PCD 047F 2000 0001 0002 ABCD 0004"));
+    constexpr std::uint16_t one_more{0xABCD};
+    constexpr std::int16_t  minus_2{-2};
+    VERIFY(reads(data_valid<six_words>(0x047F, 50_percent, one_more, one_more, minus_2, one_more),
+                 "PCD 047F 2000 ABCD ABCD FFFE ABCD"));
 }
 
 TEST(text_fc_parameter, shows_the_commands)
