@@ -41,7 +41,8 @@ The end of a line is a silence of the bus. A response is read in the light of th
 
     --protocol P     modbus (default), fc for the FC protocol of Danfoss drives, or auto to find out
     --expect WHAT    request, response or either (default) is what is on the line
-    --request-first  the first FC telegram in hexadecimal is a request; live a silence of --timeout tells that
+    --request-first  the first FC telegram in hexadecimal is a request; live a silence of --timeout tells that. Until
+                     something tells who speaks, telegrams are `to or from` a slave, and --drive explains little
     --json           one JSON object a line
     --drive D        xd1000 or vlt6000: names the registers or parameters of this drive and explains their values, in
                      JSON as `meaning`; vlt6000 has the FC protocol

@@ -144,7 +144,7 @@ show_refusal vlt6000_control --device "$line" --address 1 read 999
 stop_server
 printf '\n%s\n' "what it showed:"
 cat "$scratch/vlt6000_states"
-printf '\n$ %s\n' "decode --protocol fc --drive vlt6000 <$log"
-decode --protocol fc --drive vlt6000 <"$log"
+printf '\n$ %s\n' "decode --request-first --drive vlt6000 <$log"
+decode --request-first --drive vlt6000 <"$log"
 
 printf '\n%s\n' "everything worked"
