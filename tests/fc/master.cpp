@@ -255,6 +255,15 @@ TEST(master, waits_for_a_telegram_also_for_no_command_though_ak_0_is_called_no_r
     EXPECT_EQ(check(one, asked, bytes{parameter_reply(0x1000, 0, 0)}).error(), another_reply);
 }
 
+// Nothing in a telegram tells which way it goes: the caller has to take out what it hears of itself.
+TEST(master, cannot_tell_the_echo_of_a_read_or_of_process_data_from_a_reply)
+{
+    EXPECT_EQ(*check(one, read_206, vectors::read_206)->value<std::uint16_t>(), 0);
+    EXPECT_TRUE(check(one_long, read_621, vectors::read_621));
+    EXPECT_EQ(check(twenty_two, forwards, vectors::forwards_to_22)->status_word(), 0x047F);
+    EXPECT_EQ(check(one, write_202, vectors::write_202).error(), another_reply);  // no reply has AK E
+}
+
 //=== cannot be executed ===//
 
 TEST(master, is_told_every_error_number)

@@ -437,6 +437,14 @@ TEST(fc_reader, a_slave_on_a_shared_line_answers_its_requests_and_not_its_neighb
     EXPECT_EQ(slave_hears(of_2), carried_out{});
 }
 
+// Its responses have its own address, as its requests: the caller has to take out what it hears of itself.
+TEST(fc_reader, a_slave_cannot_tell_the_echo_of_its_response_from_a_request)
+{
+    for (auto const what : {expecting::either, expecting::request}) {
+        EXPECT_EQ(slave_hears(answer_206, what), (carried_out{.started = 1, .written = 1, .answered = 1}));
+    }
+}
+
 //=== a noisy line ===//
 
 /// Does a telegram with a right BCC begin in the first `noise` bytes? Plainly.

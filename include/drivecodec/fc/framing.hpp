@@ -36,7 +36,8 @@ struct frame {
     [[nodiscard]] constexpr std::uint8_t ak() const noexcept { return static_cast<std::uint8_t>(data().front() >> 4); }
 };
 
-/// Which telegrams a reader listens for.
+/// Which telegrams a reader listens for. Nothing in a telegram tells that it comes from oneself: a slave, or a master
+/// that expects responses, takes the echo of its own transmissions out of the stream first, if it hears them.
 enum class expecting : std::uint8_t {
     either,    ///< All that is on the line: a monitor, or a slave on a shared line.
     request,   ///< A slave alone with its master.

@@ -118,6 +118,9 @@ using reply = result<decltype(detail::response_of(std::declval<Request const&>()
 
 /// The response in the telegram `wire`, if it is the answer of the slave `to` to `asked`; a stale or foreign one is not.
 ///
+/// Precondition: `wire` is not the request itself, come back as an echo. A request to read looks like a reply of 0, a
+/// control word like a status word: who hears its own transmissions takes them out before.
+///
 /// Errors, with offsets in `wire`: `no_reply` to a broadcast; those of `check_telegram`; `unexpected_server` at 2 for
 /// another ADR: a slave sends it back unchanged; `unexpected_reply` for another parameter, element or kind of reply;
 /// `exception_reply` with the slave's error number. A text points into `wire`.

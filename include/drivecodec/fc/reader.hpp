@@ -19,7 +19,8 @@ public:
     constexpr basic_reader() noexcept = default;
     constexpr explicit basic_reader(expecting what) noexcept : base{framing<Layout>{what}} {}
 
-    /// Of the slave with this address, on a line that it may share with others: what has its number is a request.
+    /// Of the slave with this address, on a line that it may share with others: what has its number is a request. So
+    /// would be its own responses, were they to come back.
     constexpr basic_reader(expecting what, address own_address) noexcept : base{framing<Layout>{what, own_address}} {}
 
     /// The line was silent for longer than a slave may take to answer: the next telegram is a request, also where no
