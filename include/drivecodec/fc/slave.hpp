@@ -65,7 +65,9 @@ template <typename Layout, typename Handler>
     auto const       given = request::read(asked);
     if (given.command() == ak_command::no_command) {
         said = {ak_reply::no_reply, 0};
-    } else if constexpr (requires { parameter_answer{handler(given)}; }) {
+    } else if constexpr (requires { handler(given); }) {
+        static_assert(std::is_convertible_v<decltype(handler(given)), parameter_answer>,
+                      "a handler answers a parameter_request with a parameter_answer or a parameter_error");
         said = handler(given);
     }
     write_reply(asked, data, said);
@@ -78,7 +80,9 @@ template <typename Layout, typename Handler>
 {
     using request = basic_text_request<Layout>;
     parameter_answer said{parameter_error::parameter_does_not_exist};
-    if constexpr (requires(request const& given) { text_answer{handler(given)}; }) {
+    if constexpr (requires(request const& given) { handler(given); }) {
+        static_assert(std::is_convertible_v<decltype(handler(std::declval<request const&>())), text_answer>,
+                      "a handler answers a text_request with a text_answer, bytes or a parameter_error");
         text_answer const text = handler(request::read(asked));
         auto const        room = data.size() - Layout::around_text;
         if (text and text->size() <= room) {
@@ -103,10 +107,14 @@ template <typename Layout, typename Handler>
 ///   process_status   (process_command const&)     always, after what the telegram has of a parameter
 ///   parameter_answer (parameter_request const&)   every command but AK 0, also those without a meaning
 ///   text_answer      (text_request const&)        AK F; `access()` says whether it is read or written
-/// Without the last two, every parameter "does not exist".
+/// Without the last two, every parameter "does not exist". `process_command::is_data_valid()` tells the handler whether
+/// to obey: a drive ignores a control word without it, and still says its status.
 ///
-/// `wire` must not overlap `reply`; of its bytes 256 are always enough. With fewer than a parameter telegram has, what
-/// is asked is carried out and nothing is said.
+/// Preconditions: `wire` and `reply` do not overlap; `wire` is nothing that the slave itself sent. A response looks like
+/// a request to the slave it is from: who hears its own transmissions takes them out before.
+///
+/// 256 bytes are always enough for `reply`. With fewer than a parameter telegram has, what is asked is carried out and
+/// nothing is said.
 template <typename Layout = vlt_layout, typename Handler>
 [[nodiscard]] constexpr bytes serve(address own, bytes wire, mutable_bytes reply, Handler&& handler) noexcept
 {
