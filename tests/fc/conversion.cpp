@@ -160,6 +160,16 @@ TEST(conversion, does_not_overflow)
     VERIFY(conversion(67)->transferred(decimal{-35'791'395, 0}).error() == error{errc::out_of_range, 0});
 }
 
+TEST(conversion, does_not_wrap_an_exponent)
+{
+    static constexpr conversion_factor smallest{.index = 0, .exponent = -128, .divisor = 8};
+    VERIFY(*smallest.physical(8) == decimal{1, -128});
+    VERIFY(smallest.physical(1).error() == error{errc::out_of_range, 0});  // 125 x 10^-131
+    static constexpr conversion_factor largest{.index = 0, .exponent = 127, .number = 1'000'000'000};
+    VERIFY(*largest.physical(2) == decimal{2'000'000'000, 127});
+    VERIFY(largest.physical(3).error() == error{errc::out_of_range, 0});  // 300'000'000 x 10^128
+}
+
 TEST(conversion, survives_with_every_index_and_many_numbers)
 {
     for (auto const& factor : conversion_table) {

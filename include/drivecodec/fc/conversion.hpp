@@ -31,8 +31,12 @@ struct conversion_factor {
         }
         auto quotient = product / divisor;
         for (; not is_32_bits(quotient) and quotient % 10 == 0; --digits) { quotient /= 10; }
-        if (not is_32_bits(quotient)) { return error{errc::out_of_range, 0}; }
-        return decimal{static_cast<std::int32_t>(quotient), static_cast<std::int8_t>(exponent - digits)};
+        auto const power = exponent - digits;
+        if (not is_32_bits(quotient) or power < std::numeric_limits<std::int8_t>::min()
+            or power > std::numeric_limits<std::int8_t>::max()) {
+            return error{errc::out_of_range, 0};
+        }
+        return decimal{static_cast<std::int32_t>(quotient), static_cast<std::int8_t>(power)};
     }
 
     /// The number to transfer. Errors, at 0: `inexact` where none stands for the value, `out_of_range` where 32 bits do
