@@ -60,7 +60,7 @@ struct sequence {
 };
 // The manual's bits, and bit 10 in each.
 constexpr std::array sequences{
-    sequence{start, 0x047C, 0x0000},   sequence{stop, 0x0420, 0x0140},          sequence{quick_stop, 0x0420, 0x0010},
+    sequence{start, 0x047C, 0x0000},   sequence{stop, 0x0420, 0x0140},          sequence{quick_stop, 0x0420, 0x0110},
     sequence{coast, 0x0400, 0x0008},   sequence{dc_brake, 0x0400, 0x0004},      sequence{jog, 0x0500, 0x0000},
     sequence{end_jog, 0x0400, 0x0100}, sequence{freeze_output, 0x0400, 0x0020}, sequence{release_output, 0x0420, 0x000},
     sequence{reverse, 0x8400, 0x0000}, sequence{end_reverse, 0x0400, 0x8000},   sequence{prepare_reset, 0x0400, 0x0080},
@@ -96,7 +96,7 @@ TEST(vlt6000_sequences, start_whatever_stopped)
         auto const running = start(word);
         ASSERT_EQ(start(coast(word)), running);
         ASSERT_EQ(start(dc_brake(word)), running);
-        ASSERT_EQ(start(quick_stop(word)), running);
+        ASSERT_EQ(start(quick_stop(word)), end_jog(running));
         ASSERT_EQ(start(freeze_output(word)), running);
         ASSERT_EQ(start(stop(word)), end_jog(running));
     }
@@ -124,11 +124,15 @@ TEST(vlt6000_sequences, stop_a_frozen_output_in_the_manual_s_ways_without_releas
 
 TEST(vlt6000_sequences, stop_no_matter_what_went_before)
 {
-    // Neither start nor jog nor a frozen output is left, whatever the word was.
+    // Neither start nor jog nor a frozen output is left, whatever the word was; of a quick stop only the start.
     for (unsigned raw = 0; raw <= 0xFFFF; ++raw) {
         auto const stopped = stop(word_of(raw));
         ASSERT_FALSE(stopped.test(control_word::start) or stopped.test(control_word::jog));
         ASSERT_TRUE(stopped.test(control_word::no_freeze_output));
+
+        auto const quickly = quick_stop(word_of(raw));
+        ASSERT_FALSE(quickly.test(control_word::no_quick_stop) or quickly.test(control_word::jog));
+        ASSERT_TRUE(quickly.test(control_word::no_freeze_output));
     }
 }
 

@@ -50,11 +50,16 @@ namespace detail {
         .without(control_word::jog);
 }
 
-/// Bit 04 at 0: ramps down by parameter 207, even while bit 06 is 1. As `stop` it releases the output: quick stop is
-/// not among the ways to stop a drive whose output is frozen. To go on: `start`.
+/// Bit 04 at 0: ramps down by parameter 207, even while bit 06 is 1. To go on: `start`.
+///
+/// As `stop` it ends a jog, for the manual does not say which of the two wins, and releases the output: quick stop is
+/// not among the ways to stop a drive whose output is frozen.
 [[nodiscard]] constexpr control_word quick_stop(control_word word) noexcept
 {
-    return detail::valid(word).with(control_word::no_freeze_output).without(control_word::no_quick_stop);
+    return detail::valid(word)
+        .with(control_word::no_freeze_output)
+        .without(control_word::no_quick_stop)
+        .without(control_word::jog);
 }
 
 /// Bit 03 at 0: lets go of the motor at once, also with the output frozen. To go on: `start`.
