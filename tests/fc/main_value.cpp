@@ -302,6 +302,15 @@ TEST(main_value, refuses_steps_that_are_too_coarse_for_the_limits_or_too_fine_fo
     VERIFY(reference::from_raw(0xC000).frequency(0_Hz, hertz{0x7FFFFFFF, 0}, 0)->number == -0x7FFFFFFF);
 }
 
+TEST(main_value, refuses_frequencies_that_32_bits_do_not_hold_with_the_digits_of_the_finest)
+{
+    constexpr hertz fine_50{500'000'000, -7};
+    VERIFY(reference::make(fine_50, 0_Hz, 200_Hz)->raw() == 0x1000);
+    VERIFY(reference::make(fine_50, 0_Hz, 400_Hz).error() == beyond);
+    VERIFY(reference::make(50_Hz, 0_Hz, 400_Hz)->raw() == 0x0800);
+    VERIFY(reference::make(50_Hz, hertz{0, -100}, 400_Hz)->raw() == 0x0800);  // a zero has all digits
+}
+
 TEST(main_value, is_a_reference_or_an_output_frequency_never_the_other)
 {
     VERIFY(not std::is_convertible_v<reference, output_frequency>);

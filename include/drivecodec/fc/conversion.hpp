@@ -71,10 +71,10 @@ private:
     }
 };
 
-/// All indexes: from -4 to 2 and 74 the VLT 6000 has, the others are of newer FC guides, which count times with them.
+/// All indexes: from -4 to 2 and 74 the VLT 6000 has, the others are of newer FC guides. 67 to 77 are for times.
 ///
-/// 74 is 3.6 in this manual; other editions print 0.1, and 3600, which is what makes hours of seconds. Nobody can know:
-/// ask the drive's own manual, and use a factor of one's own.
+/// 74 is 3.6 in this manual; other editions print 0.1, and 3600, with which hours become seconds. Nobody can know: ask
+/// the drive's own manual, and use a factor of one's own.
 inline constexpr std::array<conversion_factor, 20> conversion_table{{
     {.index = -7, .exponent = -7},
     {.index = -6, .exponent = -6},

@@ -59,7 +59,8 @@ public:
 
     /// Of a frequency, where `at_0_percent` and `at_100_percent` are the drive's limits: its magnitude between them, its
     /// sign the direction. Errors, at 0: `out_of_range` beyond the ends, below the lower limit, for limits that are not
-    /// ascending from 0 on, and for the lower limit itself in reverse if it is not 0: there is no negative zero.
+    /// ascending from 0 on, for the lower limit itself in reverse if it is not 0: there is no negative zero; and where
+    /// 32 bits do not hold all three with the digits of the finest.
     [[nodiscard]] static constexpr result<basic_main_value> make(quantity<unit::hertz> wanted,
                                                                  quantity<unit::hertz> at_0_percent,
                                                                  quantity<unit::hertz> at_100_percent) noexcept

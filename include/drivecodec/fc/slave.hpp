@@ -110,8 +110,8 @@ template <typename Layout, typename Handler>
 /// Without the last two, every parameter "does not exist". `process_command::is_data_valid()` tells the handler whether
 /// to obey: a drive ignores a control word without it, and still says its status.
 ///
-/// Preconditions: `wire` and `reply` do not overlap; `wire` is nothing that the slave itself sent. A response looks like
-/// a request to the slave it is from: who hears its own transmissions takes them out before.
+/// Preconditions: `wire` and `reply` do not overlap; `wire` is nothing that the slave itself sent. A response looks
+/// like a request to the slave it is from: who hears its own transmissions takes them out before.
 ///
 /// 256 bytes are always enough for `reply`. With fewer than a parameter telegram has, what is asked is carried out and
 /// nothing is said.

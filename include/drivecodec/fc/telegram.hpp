@@ -137,7 +137,8 @@ template <fixed_size Data>
 
 /// Writes the telegram to the front of `out`; returns the part written.
 ///
-/// Errors, and then `out` is untouched: `no_space`; `bad_length` at 3 for a text of more than 244 characters.
+/// Errors, and then `out` is untouched: `no_space`; `bad_length` at 3 for a text of more than 244 characters, or of
+/// fewer in a layout with more process words.
 template <writable Data>
 [[nodiscard]] constexpr result<mutable_bytes> encode(address to, Data const& data, mutable_bytes out) noexcept
 {

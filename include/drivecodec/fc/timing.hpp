@@ -73,7 +73,7 @@ private:
         return microseconds(std::uint64_t{count} * bits_per_character, baud_);
     }
 
-    /// Below 2^32 for the longest telegram at one baud, and for its limit at two.
+    /// Below 2^32 also for the limit of the longest telegram at one baud, which is 4224 s.
     [[nodiscard]] static constexpr std::uint32_t microseconds(std::uint64_t bits, std::uint64_t per_second) noexcept
     {
         return static_cast<std::uint32_t>((bits * 1'000'000 + per_second - 1) / per_second);
