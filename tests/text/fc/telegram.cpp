@@ -82,6 +82,8 @@ TEST(text_fc_parameter, hides_nothing_of_what_has_no_meaning)
 {
     VERIFY(reads(reply(0x50CA, 0), "AK 5 202, PCD 0F03 2000"));
     VERIFY(reads(reply(0xE0CA, 9), "AK 14 202, PWE 00000009, PCD 0F03 2000"));
+    VERIFY(reads(reply(0x70CA, 0x00030002),
+                 "cannot_be_executed 202: value_exceeds_limits (2), PWE 00030002, PCD 0F03 2000"));
     VERIFY(reads(any_command(ak_command{7}, 202, {}, 2, data_not_valid), "AK 7 202, PWE 00000002, PCD 0000 0000"));
     VERIFY(reads(any_command(ak_command::read_value, 202, {}, 1, data_not_valid),
                  "read_value 202, PWE 00000001, PCD 0000 0000"));
