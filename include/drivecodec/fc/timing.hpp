@@ -44,6 +44,9 @@ public:
 
     /// Before each telegram the line is silent at least as long: two characters. The manual has this number in both
     /// rules; a telegram begins only behind such a pause, so a reader's `silence` belongs here.
+    ///
+    /// Both are from the end of a character to the start of the next. Who sees a character only when it is complete adds
+    /// one `character()`: the next may have begun just before the pause was over.
     [[nodiscard]] constexpr std::uint32_t pause() const noexcept { return characters(2); }
 
     /// The time `size` bytes take without gaps. Precondition: size <= 256, the longest telegram.
