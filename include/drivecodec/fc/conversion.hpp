@@ -100,10 +100,11 @@ inline constexpr std::array<conversion_factor, 20> conversion_table{{
 static_assert(strictly_ascending(conversion_table, &conversion_factor::index));
 
 /// Errors: `bad_value` at 0 for an index that no guide has.
-[[nodiscard]] constexpr result<conversion_factor> conversion(std::int8_t index) noexcept
+[[nodiscard]] constexpr result<conversion_factor> conversion(int index) noexcept
 {
-    auto const* row = find_row(conversion_table, &conversion_factor::index, index);
-    if (row == nullptr) { return error{errc::bad_value, 0}; }
+    auto const  narrow = static_cast<std::int8_t>(index);
+    auto const* row    = find_row(conversion_table, &conversion_factor::index, narrow);
+    if (row == nullptr or narrow != index) { return error{errc::bad_value, 0}; }
     return *row;
 }
 
