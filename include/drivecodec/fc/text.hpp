@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/fc/parameter_error.hpp>
 #include <drivecodec/fc/pke.hpp>
 #include <drivecodec/fc/process.hpp>
+#include <drivecodec/fc/telegram.hpp>
 
 // The text block: PKE IND ch1 .. chn, then the process block. VLT 6000 manual, "Parameter value (PWE)".
 
@@ -15,9 +15,9 @@ inline constexpr be16_at<2>  ind{};
 inline constexpr std::size_t characters = ind.end;
 }  // namespace layout::text
 
-/// LGE is at most 254, of which ADR, BCC, PKE, IND and PCD take their share.
+/// The most characters that a telegram holds beside PKE, IND and PCD.
 template <typename Layout = vlt_layout>
-inline constexpr std::size_t max_text_size = 252 - Layout::around_text;
+inline constexpr std::size_t max_text_size = max_data_size - Layout::around_text;
 
 /// The data of a text telegram, with the process block of its direction. `Text` is `bytes`, which it borrows, or an
 /// array: then the whole telegram has a size that the compiler knows.
