@@ -385,7 +385,7 @@ TEST(fc_reader, knows_who_speaks_next_when_nobody_answered_for_long_enough)
               (items{frame(unknown, start), frame(request, start), frame(response, start)}));
 }
 
-TEST(fc_reader, judges_half_a_telegram_anew_when_a_request_times_out)
+TEST(fc_reader, takes_a_telegram_for_a_request_if_the_time_out_comes_amid_it)
 {
     EXPECT_EQ(read(line_of(write_202, bytes{start}.first(3), bytes{start}.subspan(3))),
               (items{frame(request, write_202), frame(response, start)}));
@@ -393,7 +393,7 @@ TEST(fc_reader, judges_half_a_telegram_anew_when_a_request_times_out)
               (items{frame(request, write_202), frame(request, start)}));
 }
 
-TEST(fc_reader, judges_a_telegram_anew_that_was_found_before_the_time_out_and_not_yet_given)
+TEST(fc_reader, takes_a_telegram_for_a_request_that_was_found_before_the_time_out_and_not_yet_given)
 {
     auto const raw = stream_model::bytes_of(line_of(write_202, 0x00, 0x00, start));
     fc::reader reader;

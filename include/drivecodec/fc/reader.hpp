@@ -25,11 +25,7 @@ public:
 
     /// The line was silent for longer than a slave may take to answer: the next telegram is a request, also where no
     /// direction was known before.
-    constexpr void request_timed_out() noexcept
-    {
-        this->scheme().request_timed_out();
-        this->reconsider();
-    }
+    constexpr void request_timed_out() noexcept { this->scheme().request_timed_out(); }
 };
 
 using reader = basic_reader<>;
