@@ -245,6 +245,20 @@ int start(drive& target, options const& given, words_of_command const& words)
     return say(answer);
 }
 
+/// A command that stops the motor: also of a drive that does not say what control word it has.
+template <vlt6000::control_word (*Change)(vlt6000::control_word)>
+int give_stop(drive& target, options const&, words_of_command const&)
+{
+    auto const before = [&] {
+        try {
+            return target.word();
+        } catch (drive_error const&) {
+            return vlt6000::neutral;
+        }
+    }();
+    return say(target.obey(Change(before)));
+}
+
 /// A command that is one word.
 template <vlt6000::control_word (*Change)(vlt6000::control_word)>
 int give(drive& target, options const&, words_of_command const&)
@@ -365,10 +379,10 @@ struct command {
 };
 constexpr command commands[] = {
     {"start", start, 1},
-    {"stop", give<vlt6000::stop>},
-    {"quick-stop", give<vlt6000::quick_stop>},
-    {"coast", give<vlt6000::coast>},
-    {"brake", give<vlt6000::dc_brake>},
+    {"stop", give_stop<vlt6000::stop>},
+    {"quick-stop", give_stop<vlt6000::quick_stop>},
+    {"coast", give_stop<vlt6000::coast>},
+    {"brake", give_stop<vlt6000::dc_brake>},
     {"jog", give<jog_alone>},
     {"freeze", give<vlt6000::freeze_output>},
     {"reset", reset},

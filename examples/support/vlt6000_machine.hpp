@@ -22,6 +22,8 @@
 // - adds the preset reference, a percentage that is 0 from the factory, to the reference of the bus;
 // - has its output at 0 Hz at once when it coasts, brakes or trips: there is no load that turns on;
 // - carries out a bus time-out's freeze, jog and maximum only if it was running: it never starts by itself;
+// - ends a time-out's reaction with the next telegram, also one without valid data; but a stop and trip, once begun,
+//   ends as a trip;
 // - shows "within frequency range" at standstill, and "speed equals reference" only while it runs;
 // - has as an error code, for parameter 615, the number of the alarm's bit plus one.
 
@@ -94,7 +96,7 @@ public:
         reference_     = {};
         lines_         = {};
         frequency_     = 0;
-        is_supervised_ = is_timed_out_ = is_carrying_on_ = false;
+        is_supervised_ = is_timed_out_ = is_carrying_on_ = is_stopping_to_trip_ = false;
         turn(seconds{0});
     }
 
@@ -262,10 +264,10 @@ protected:
         using enum vlt6000::bus_time_interval_function;
         auto const given = present_orders();
         auto const jog   = std::clamp(memory_.get(209) / 10.0, 0.0, highest());
-        if (is_output_off()) { return 0; }
+        if (is_output_off() or is_stopping_to_trip_) { return 0; }
         if (is_timed_out_ and not is_local_) {
             auto const reaction = time_out_reaction();
-            if (reaction == stop or reaction == stop_and_trip) { return 0; }
+            if (reaction == stop) { return 0; }
             if (is_carrying_on_ and reaction == freeze_output) { return frequency_; }
             if (is_carrying_on_ and reaction == jogging) { return std::copysign(jog, frequency_); }
             if (is_carrying_on_ and reaction == max_output_frequency) { return std::copysign(highest(), frequency_); }
@@ -291,10 +293,8 @@ protected:
         auto const ramp   = seconds{static_cast<double>(memory_.get(is_up ? 206 : 207))};
         auto const reach  = memory_.get(104) * (elapsed / ramp);
         frequency_        = is_output_off() ? 0 : std::clamp(wanted, frequency_ - reach, frequency_ + reach);
-        auto const must_trip =
-            is_timed_out_ and time_out_reaction() == vlt6000::bus_time_interval_function::stop_and_trip;
-        if (must_trip and not is_local_ and frequency_ == 0 and not has_tripped_by_time_out_) {
-            has_tripped_by_time_out_ = true;
+        if (is_stopping_to_trip_ and frequency_ == 0) {
+            is_stopping_to_trip_ = false;
             trip(alarm_word::of(alarm_word::serial_communication_timeout));
         }
     }
@@ -308,9 +308,10 @@ protected:
 
     void time_out()
     {
-        is_timed_out_            = true;
-        is_carrying_on_          = is_running();
-        has_tripped_by_time_out_ = false;
+        is_timed_out_   = true;
+        is_carrying_on_ = is_running();
+        is_stopping_to_trip_ =
+            not is_local_ and time_out_reaction() == vlt6000::bus_time_interval_function::stop_and_trip;
     }
 
     /// Relays drop by a time-out whatever 556 is.
@@ -338,11 +339,11 @@ protected:
     std::array<std::string, 2>            lines_{};
     double                                frequency_ = 0;
     seconds                               silence_{0};
-    bool                                  is_supervised_           = false;  // after the first telegram
-    bool                                  is_timed_out_            = false;
-    bool                                  is_carrying_on_          = false;  // timed out while it ran
-    bool                                  has_tripped_by_time_out_ = false;
-    bool                                  is_local_                = false;
+    bool                                  is_supervised_       = false;  // after the first telegram
+    bool                                  is_timed_out_        = false;
+    bool                                  is_carrying_on_      = false;  // timed out while it ran
+    bool                                  is_stopping_to_trip_ = false;
+    bool                                  is_local_            = false;
 };
 
 }  // namespace support

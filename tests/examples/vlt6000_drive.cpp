@@ -467,6 +467,18 @@ TEST_F(VltDriveTimeOut, stops_and_trips)
     send(stop_word | 0x0080U);
     EXPECT_FALSE(drive.status().test(status_word::tripped));
 }
+TEST_F(VltDriveTimeOut, a_stop_and_trip_that_began_is_not_called_off_by_a_telegram)
+{
+    set_ramps(10);
+    write(556, 5);
+    keep_sending(start_word, 0x2000, 12);
+    be_silent(1.5);
+    EXPECT_GT(drive.frequency(), 20);
+    keep_sending(start_word, 0x2000, 8);
+    EXPECT_EQ(drive.frequency(), 0);
+    EXPECT_TRUE(drive.status().test(status_word::tripped));
+    EXPECT_EQ(read(529), 0x10U);
+}
 TEST_F(VltDriveTimeOut, period_is_555_and_not_556)
 {
     write(555, 3);

@@ -357,6 +357,13 @@ def control_with_a_slave_by_hand(program, checks):
     with support.asking(program, "--timeout", "50", "--retries", "1", "read", "202") as (process, line):
         line.receive(32)
         checks.equal("nobody answers", support.finish(process), (1, "vlt6000_control: no answer from drive 1\n"))
+    # A drive that never says its control word, 530, is stopped all the same: 043C is a ramp stop and nothing else.
+    for command, word in (("stop", 0x043C), ("coast", 0x0434), ("brake", 0x0438), ("quick-stop", 0x042C)):
+        with support.asking(program, "--timeout", "50", "--retries", "0", command) as (process, line):
+            checks.equal("asks for 530", line.receive(16), telegram(SHORT, parameter(0x1212)))
+            checks.equal(f"{command} in any case", line.receive(8), telegram(SHORT, words(word, 0)))
+            line.send(telegram(SHORT, words(0x0607, 0)))
+            checks.equal(f"{command} is done", support.finish(process)[0], 0)
     with ask("--echo", "read", "202") as (process, line):
         line.send(line.receive(16), reply)
         checks.equal("an adapter with echo", support.finish(process), printed)
