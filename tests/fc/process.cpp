@@ -94,6 +94,22 @@ TEST(process, takes_the_words_of_a_drive)
     VERIFY(process_status{my_word{0x0F03}, 50_percent} == process_status{0x0F03, 50_percent});
 }
 
+//=== equality ===//
+
+template <typename A, typename B>
+concept compares = requires(A const& a, B const& b) { a == b; };
+
+TEST(process, is_equal_by_all_its_words_and_never_to_the_other_direction)
+{
+    VERIFY(compares<process_command, process_command> and compares<process_status, process_status>);
+    VERIFY(not compares<process_command, process_status> and not compares<process_status, process_command>);
+    VERIFY(not compares<process_status, basic_process_status<four_words>>);
+    VERIFY(process_status(0x0F03, 50_percent) == process_status(0x0F03, 50_percent));
+    VERIFY(process_status(0x0F03, 50_percent) != process_status(0x0F02, 50_percent));
+    VERIFY(process_status(0x0F03, 50_percent) != process_status(0x0F03, 25_percent));
+    VERIFY(process_command{data_not_valid} == data_not_valid and data_valid(0, 0_percent) != data_not_valid);
+}
+
 //=== more words ===//
 
 TEST(process, has_as_many_words_as_its_layout)

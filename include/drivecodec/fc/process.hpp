@@ -40,8 +40,6 @@ public:
         return {};
     }
 
-    friend constexpr bool operator==(process_block const&, process_block const&) noexcept = default;
-
 protected:
     constexpr process_block() noexcept = default;
 
@@ -51,6 +49,12 @@ protected:
     {}
 
     constexpr explicit process_block(bytes data) noexcept : process_block{data, each_word{}} {}
+
+    // Not an operator, which would compare the two directions.
+    [[nodiscard]] constexpr bool has_words_of(process_block const& other) const noexcept
+    {
+        return words_ == other.words_;
+    }
 
 private:
     // Not loops, for the sake of firmware: at places known to the compiler, words stay in registers.
@@ -118,6 +122,11 @@ public:
         return basic_process_command{data};
     }
 
+    friend constexpr bool operator==(basic_process_command const& a, basic_process_command const& b) noexcept
+    {
+        return a.has_words_of(b);
+    }
+
 private:
     struct checked {};
     constexpr explicit basic_process_command(bytes data) noexcept : base{data} {}
@@ -173,6 +182,11 @@ public:
     [[nodiscard, gnu::always_inline]] static constexpr basic_process_status read(bytes data) noexcept
     {
         return basic_process_status{data};
+    }
+
+    friend constexpr bool operator==(basic_process_status const& a, basic_process_status const& b) noexcept
+    {
+        return a.has_words_of(b);
     }
 
 private:
