@@ -48,9 +48,9 @@ The end of a line is a silence of the bus. A response is read in the light of th
                      JSON as `meaning`; vlt6000 has the FC protocol
     --pcd N          words of process data in an FC telegram, 2 (default) to 16
     --pnu-bits N     bits of an FC parameter number, 11 (default), or 12 as in newer drives
-    --baud N         of the device (default 19200, for fc 9600)
+    --baud N         of the device (default 19200, for fc and for a vlt6000 9600)
     --format 8E1     of the device: data bits, parity (N, E, O), stop bits
-    --silence US     what ends a frame on the device, in microseconds; default: 3.5 characters, for fc 2, at least
+    --silence US     what ends a frame on the device, in microseconds; default: 3.5 characters, for fc 3, at least
                      20 000, since USB adapters hold bytes back for up to 16 ms
     --timeout MS     a request without a response for so long on the device was not answered (default 1000)
     --help
@@ -74,7 +74,6 @@ struct options {
     std::optional<::protocol>    protocol;
     support::modbus_options      modbus;
     support::fc_options          fc;
-    bool                         help          = false;
     bool                         request_first = false;
     std::string                  device;
     std::optional<std::uint32_t> baud;
@@ -117,9 +116,7 @@ options parse(support::arguments words)
         auto const value  = [&] {  // --name value or --name=value
             return equals == std::string::npos ? words.next("the value of " + name) : word.substr(equals + 1);
         };
-        if (word == "--help") {
-            chosen.help = true;
-        } else if (word == "--request-first") {
+        if (word == "--request-first") {
             chosen.request_first = true;
         } else if (word == "--json") {
             chosen.modbus.json = chosen.fc.json = true;
@@ -247,7 +244,7 @@ void stop(int)
 std::uint32_t silence_at(options const& chosen, std::uint32_t baud)
 {
     constexpr std::uint32_t usb_latency = 20'000;
-    auto const              by_protocol = chosen.protocol == protocol::fc ? fc::timing::make(baud)->pause()
+    auto const              by_protocol = chosen.protocol == protocol::fc ? fc::timing::make(baud)->silence()
                                                                           : rtu::timing::make(baud, chosen.format)->inter_frame();
     return chosen.silence.value_or(std::max(by_protocol, usb_latency));
 }
@@ -257,7 +254,7 @@ int listen(options const& chosen)
     using clock                      = std::chrono::steady_clock;
     constexpr std::uint32_t patience = 200'000;  // to look at `stopped` on a line without traffic
 
-    auto const baud = chosen.baud.value_or(chosen.protocol == protocol::fc ? 9600 : 19200);
+    auto const baud = chosen.baud.value_or(chosen.protocol == protocol::fc or chosen.fc.vlt6000 ? 9600 : 19200);
     auto       port = support::serial_port::open(chosen.device, baud, chosen.format);
     if (not port) {
         auto const reason = errno == EINVAL ? std::string{"not a baud rate of this device"}
@@ -299,15 +296,14 @@ int main(int argc, char** argv)
 {
     try {
         auto const chosen = parse({argc, argv});
-        if (chosen.help) {
-            std::cout << usage;
-            return nothing_dropped;
-        }
         auto const status = not chosen.device.empty() ? listen(chosen)
                             : chosen.hex              ? decode_arguments(chosen)
                                                       : decode_lines(chosen);
         if (std::cout.flush()) { return status; }
         std::cerr << "decode: cannot write what was decoded; is the disk full?\n";
+    } catch (support::help_wanted) {
+        std::cout << usage;
+        return nothing_dropped;
     } catch (support::usage_error const& problem) {
         std::cerr << "decode: " << problem.what() << "; see decode --help\n";
     } catch (std::exception const& problem) {

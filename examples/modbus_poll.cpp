@@ -500,6 +500,9 @@ int main(int argc, char** argv)
     sigaction(SIGTERM, &action, nullptr);
     try {
         return run({argc, argv});
+    } catch (support::help_wanted) {
+        std::cout << usage;
+        return 0;
     } catch (support::usage_error const& fault) {
         std::cerr << "modbus_poll: " << fault.what() << "\n\n" << usage;
     } catch (std::exception const& fault) {

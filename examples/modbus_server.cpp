@@ -380,6 +380,9 @@ int main(int argc, char** argv)
     support::stop_signal::listen();
     try {
         return run(parse({argc, argv}));
+    } catch (support::help_wanted) {
+        std::cout << usage << line_options::usage() << '\n';
+        return 0;
     } catch (support::usage_error const& fault) {
         std::cerr << "modbus_server: " << fault.what() << '\n'
                   << usage << line_options::usage() << '\n';

@@ -462,6 +462,12 @@ int run(support::arguments rest)
     return chosen.run(target, given, words);
 }
 
+void print_usage(std::ostream& out)
+{
+    out << usage << support::vlt6000_value_options::usage << support::fc_address_options::usage << '\n'
+        << support::fc_line::usage << other_options;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -472,13 +478,15 @@ int main(int argc, char** argv)
     sigaction(SIGTERM, &action, nullptr);
     try {
         return run({argc, argv});
+    } catch (support::help_wanted) {
+        print_usage(std::cout);
+        return done;
     } catch (drive_error const& fault) {
         std::cerr << "vlt6000_control: " << fault.what() << '\n';
         return refused;
     } catch (support::usage_error const& fault) {
-        std::cerr << "vlt6000_control: " << fault.what() << "\n\n"
-                  << usage << support::vlt6000_value_options::usage << support::fc_address_options::usage << '\n'
-                  << support::fc_line::usage << other_options;
+        std::cerr << "vlt6000_control: " << fault.what() << "\n\n";
+        print_usage(std::cerr);
     } catch (std::exception const& fault) {
         std::cerr << "vlt6000_control: " << fault.what() << '\n';
     }

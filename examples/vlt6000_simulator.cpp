@@ -6,16 +6,7 @@
 //     vlt6000_control --device /tmp/drive --address 1 start 50%
 //
 // The first line it prints is the path of the device; then a line whenever its status word, a relay or a line of its
-// display changes. What is typed, each with Enter:
-//
-//     t [BITS]   a trip: the bits of the alarm word, as 0x1000, overcurrent, which is also taken without them
-//     w [BITS]   warnings: the bits of the warning word; 0x2000, voltage warning high, without them
-//     c          no warnings any more
-//     p          mains off and on: what was written to RAM only is lost
-//     l          the OFF/STOP key, and the Auto key: no control word is obeyed while it is off
-//     16 ... 33  opens or closes a terminal
-//
-// SIGUSR1 is a trip too, SIGUSR2 mains off and on. It ends with Ctrl-C.
+// display changes. What is typed works the drive: `vlt6000_simulator --help`.
 #include "support/arguments.hpp"
 #include "support/fc_line.hpp"
 #include "support/line_server.hpp"
@@ -172,6 +163,17 @@ constexpr auto usage = R"(
   --terminal-19-brakes
                     terminal 19 is DC braking inverse, not reversing)";
 
+constexpr auto typed = R"(
+What is typed, each with Enter:
+  t [BITS]   a trip: the bits of the alarm word, as 0x1000, overcurrent, which is also taken without them
+  w [BITS]   warnings: the bits of the warning word; 0x2000, voltage warning high, without them
+  c          no warnings any more
+  p          mains off and on: what was written to RAM only is lost
+  l          the OFF/STOP key, and the Auto key: no control word is obeyed while it is off
+  16 ... 33  opens or closes a terminal
+SIGUSR1 is a trip too, SIGUSR2 mains off and on. Ctrl-C ends it.
+)";
+
 struct options {
     line_options                     line;
     support::fc_address_options      address;
@@ -228,6 +230,13 @@ void listen(int number, void (*handler)(int))
     sigaction(number, &action, nullptr);
 }
 
+void print_usage(std::ostream& out)
+{
+    out << "usage: vlt6000_simulator [options]\n"
+        << support::fc_address_options::usage << usage << line_options::usage() << '\n'
+        << typed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -243,9 +252,12 @@ int main(int argc, char** argv)
         constexpr auto idle = 10'000;  // microseconds: how often the output frequency is reckoned anew
         server.run(drive, idle);
         return 0;
+    } catch (support::help_wanted) {
+        print_usage(std::cout);
+        return 0;
     } catch (support::usage_error const& fault) {
-        std::cerr << "vlt6000_simulator: " << fault.what() << "\nusage: vlt6000_simulator [options]\n"
-                  << support::fc_address_options::usage << usage << line_options::usage() << '\n';
+        std::cerr << "vlt6000_simulator: " << fault.what() << '\n';
+        print_usage(std::cerr);
     } catch (std::exception const& fault) {
         std::cerr << "vlt6000_simulator: " << fault.what() << '\n';
     }

@@ -293,8 +293,8 @@ std::string status_line(drive& target)
     std::array<char, 200>   room{};
     drivecodec::text_writer text{room};
     write_text(text, status);
-    return std::string{text.view()} + "; reference " + std::to_string(reference.number) + " rpm, speed " + std::to_string(speed.number)
-           + " rpm";
+    return std::string{text.view()} + "; reference " + std::to_string(reference.number) + " rpm, speed "
+           + std::to_string(speed.number) + " rpm";
 }
 
 int status(drive& target, options const&, support::arguments&)
@@ -404,6 +404,9 @@ int main(int argc, char** argv)
     } catch (drive_error const& fault) {
         std::cerr << "xd1000_control: " << fault.what() << '\n';
         return refused;
+    } catch (support::help_wanted) {
+        std::cout << usage;
+        return 0;
     } catch (support::usage_error const& fault) {
         std::cerr << "xd1000_control: " << fault.what() << "\n\n" << usage;
     } catch (std::exception const& fault) {

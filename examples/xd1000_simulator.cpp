@@ -140,6 +140,9 @@ int main(int argc, char** argv)
         constexpr auto       idle = 10'000;  // microseconds: how often the motor's speed is reckoned anew
         server.run(drive, idle);
         return 0;
+    } catch (support::help_wanted) {
+        std::cout << usage << line_options::usage() << '\n';
+        return 0;
     } catch (support::usage_error const& fault) {
         std::cerr << "xd1000_simulator: " << fault.what() << '\n'
                   << usage << line_options::usage() << '\n';

@@ -19,6 +19,9 @@ struct usage_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The user wrote --help: wants the usage, and nothing to be done.
+struct help_wanted {};
+
 /// A whole number, decimal or 0x..., between `lowest` and `highest`.
 [[nodiscard]] inline long long to_number(std::string const& word, long long lowest, long long highest)
 {
@@ -65,7 +68,13 @@ template <typename Number>
 /// The words, taken one by one from the front.
 class arguments {
 public:
-    arguments(int count, char const* const* words) : words_(words + (count > 0 ? 1 : 0), words + count) {}
+    /// Throws `help_wanted` if one of them is --help.
+    arguments(int count, char const* const* words) : words_(words + (count > 0 ? 1 : 0), words + count)
+    {
+        for (auto const& word : words_) {
+            if (word == "--help") { throw help_wanted{}; }
+        }
+    }
 
     [[nodiscard]] bool empty() const noexcept { return at_ == words_.size(); }
 

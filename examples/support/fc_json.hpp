@@ -39,7 +39,7 @@ void add_parameter(json_object& out, Data const& data, drivecodec::fc::direction
     add_ak(out, data, frame_direction);
     if constexpr (not Data::is_request) {
         if (data.reply() == fc::ak_reply::cannot_be_executed) {
-            auto const refusal = static_cast<fc::parameter_error>(data.pwe);
+            auto const refusal = data.refusal();
             out.add("error", static_cast<std::uint16_t>(refusal));
             if (auto const name = to_string(refusal); not name.empty()) { out.add("error_name", name); }
             return;

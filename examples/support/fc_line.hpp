@@ -28,7 +28,7 @@ struct fc_line {
 
     static constexpr auto format        = drivecodec::modbus::rtu::format_8e1;  // always
     static constexpr auto usage         = "  --baud N          (9600)";
-    static constexpr auto usual_silence = "2 characters";
+    static constexpr auto usual_silence = "3 characters";
 
     [[nodiscard]] bool take(std::string const& word, arguments& rest)
     {
@@ -38,7 +38,7 @@ struct fc_line {
     }
 
     /// What ends a telegram, in microseconds.
-    [[nodiscard]] std::uint32_t silence() const { return fc::timing::make(baud)->pause(); }
+    [[nodiscard]] std::uint32_t silence() const { return fc::timing::make(baud)->silence(); }
     [[nodiscard]] std::uint32_t time_of_longest() const { return fc::timing::make(baud)->telegram_limit(max_size); }
 
     [[nodiscard]] static reader reader_of(address own) { return reader{fc::expecting::either, own}; }

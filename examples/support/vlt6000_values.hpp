@@ -82,10 +82,13 @@ struct value_error : std::runtime_error {
     return *value;
 }
 
-/// Is the value transferred as it is, because it is no quantity?
+/// Is the value transferred as it is, because it is no quantity? A number without a unit, of which the manual prints the
+/// limits, counts something.
 [[nodiscard]] inline bool is_code(vlt6000::parameter_row const* row)
 {
-    return row != nullptr and (row->kind == vlt6000::kind::choice or row->kind == vlt6000::kind::bits);
+    if (row == nullptr) { return false; }
+    auto const is_count = row->unit == drivecodec::unit::none and row->limits.is_known;
+    return row->kind == vlt6000::kind::choice or row->kind == vlt6000::kind::bits or is_count;
 }
 
 /// As the manual and the user state it.

@@ -86,12 +86,27 @@ TEST(process, survives_with_every_word_also_without_bit_10)
 struct my_word {
     std::uint16_t raw;
 };
+struct my_control_word {
+    static constexpr int data_valid = 10;
+    std::uint16_t        raw;
+};
+template <typename Word>
+concept controls = requires(Word word) { data_valid(word, reference{}); };
+template <typename Word>
+concept reports = requires(Word word) { process_status{word, output_frequency{}}; };
 
 TEST(process, takes_the_words_of_a_drive)
 {
     VERIFY(drive_word<my_word> and not drive_word<int> and not drive_word<std::uint16_t>);
-    VERIFY(data_valid(my_word{0x047F}, 50_percent) == data_valid(0x047F, 50_percent));
+    VERIFY(data_valid(my_control_word{0x047F}, 50_percent) == data_valid(0x047F, 50_percent));
+    VERIFY(data_valid(std::uint16_t{0x047F}, 50_percent) == data_valid(0x047F, 50_percent));
     VERIFY(process_status{my_word{0x0F03}, 50_percent} == process_status{0x0F03, 50_percent});
+}
+
+TEST(process, takes_no_status_word_for_a_control_word_nor_the_other_way_round)
+{
+    VERIFY(controls<my_control_word> and not controls<my_word>);
+    VERIFY(reports<my_word> and not reports<my_control_word>);
 }
 
 //=== equality ===//
@@ -120,7 +135,7 @@ TEST(process, has_as_many_words_as_its_layout)
     VERIFY(wire_of(basic_process_command<four_words>{data_not_valid}) == "00 00 00 00 00 00 00 00"_hex);
     VERIFY(wire_of(basic_process_status<four_words>{0x0F03, 50_percent, third, fourth})
            == "0F 03 20 00 11 22 FF FE"_hex);
-    VERIFY(wire_of(data_valid<four_words>(my_word{0x047F}, 50_percent, fourth, third))
+    VERIFY(wire_of(data_valid<four_words>(my_control_word{0x047F}, 50_percent, fourth, third))
            == "04 7F 20 00 FF FE 11 22"_hex);
     VERIFY(basic_process_status<four_words>{my_word{0x0F03}, 50_percent, fourth, third}.pcd(3) == 0x1122);
     VERIFY(basic_process_status<most_words>::wire_size() == 32);

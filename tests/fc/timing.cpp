@@ -32,6 +32,7 @@ TEST(timing, of_16_bytes_at_9600_baud_is_27_5_ms)
 TEST(timing, has_a_pause_of_2_3_ms_at_9600_baud)
 {
     VERIFY(timing::of(9600).pause() == 2292);  // 2291.67
+    VERIFY(timing::of(9600).silence() == 3438);  // 3437.5: two characters, and one that is seen when it is complete
     VERIFY((timing::of(9600).pause() + 50) / 100 == 23);
 }
 

@@ -70,6 +70,13 @@ struct basic_parameter_data {
         return pke.get(fc::pke::reply);
     }
 
+    /// Why not. Precondition: reply() == ak_reply::cannot_be_executed.
+    [[nodiscard]] constexpr parameter_error refusal() const noexcept
+        requires(not is_request)
+    {
+        return parameter_error{static_cast<std::uint16_t>(pwe)};
+    }
+
     /// The parameter number (PNU).
     [[nodiscard]] constexpr std::uint16_t number() const noexcept { return pke.number<Layout>(); }
     [[nodiscard]] constexpr std::uint8_t  array_index() const noexcept { return ind.get(fc::ind::array_index); }

@@ -83,10 +83,34 @@ concept further_words = 2 + sizeof...(More) == Layout::process_words and (pcd_wo
 
 }  // namespace detail
 
-/// A control or status word of a drive: an object that has its 16 bits as `raw`.
+/// A status word of a drive, or any other word of 16 bits: an object that has them as `raw`.
 template <typename T>
 concept drive_word = requires(T const& given) {
     { given.raw } -> std::same_as<std::uint16_t const&>;
+};
+/// A control word of a drive: one that has a flag `data_valid`.
+template <typename T>
+concept drive_control_word = drive_word<T> and requires { T::data_valid; };
+
+namespace compile_error {
+// Declared, never defined, not constexpr: calling it is how a consteval function says no. Its name is the text.
+void a_control_word_must_be_between_0_and_FFFF();
+}  // namespace compile_error
+
+/// The bits of a control word: a constant, a `std::uint16_t`, or the control word of a drive. No other word is one.
+struct control_word_value {
+    std::uint16_t raw;
+
+    consteval control_word_value(int bits) : raw{static_cast<std::uint16_t>(bits)}
+    {
+        if (bits < 0 or bits > 0xFFFF) { compile_error::a_control_word_must_be_between_0_and_FFFF(); }
+    }
+    template <std::same_as<std::uint16_t> T>
+    constexpr control_word_value(T bits) noexcept : raw{bits}
+    {}
+    template <drive_control_word Word>
+    constexpr control_word_value(Word const& word) noexcept : raw{word.raw}
+    {}
 };
 
 /// Says that the process data of a telegram is to be ignored: PCD is 0, and so is "data valid".
@@ -106,10 +130,10 @@ public:
 
     template <typename... More>
         requires detail::further_words<Layout, More...>
-    [[nodiscard]] static constexpr basic_process_command valid(std::uint16_t control_word, fc::reference wanted,
+    [[nodiscard]] static constexpr basic_process_command valid(control_word_value control_word, fc::reference wanted,
                                                                More... more) noexcept
     {
-        return {checked{}, static_cast<std::uint16_t>(control_word | data_valid_bit), wanted.raw(), more...};
+        return {checked{}, static_cast<std::uint16_t>(control_word.raw | data_valid_bit), wanted.raw(), more...};
     }
 
     /// Bit 10: the slave obeys it.
@@ -140,17 +164,10 @@ using process_command = basic_process_command<vlt_layout>;
 /// each a `std::uint16_t` or `std::int16_t`.
 template <typename Layout = vlt_layout, typename... More>
     requires detail::further_words<Layout, More...>
-[[nodiscard]] constexpr basic_process_command<Layout> data_valid(std::uint16_t control_word, reference wanted,
+[[nodiscard]] constexpr basic_process_command<Layout> data_valid(control_word_value control_word, reference wanted,
                                                                  More... more) noexcept
 {
     return basic_process_command<Layout>::valid(control_word, wanted, more...);
-}
-template <typename Layout = vlt_layout, drive_word Word, typename... More>
-    requires detail::further_words<Layout, More...>
-[[nodiscard]] constexpr basic_process_command<Layout> data_valid(Word const& control_word, reference wanted,
-                                                                 More... more) noexcept
-{
-    return basic_process_command<Layout>::valid(control_word.raw, wanted, more...);
 }
 
 /// PCD of a slave: status word and output frequency, further words if the layout has them.
@@ -167,7 +184,7 @@ public:
         : base{status_word, frequency.raw(), more...}
     {}
     template <drive_word Word, typename... More>
-        requires detail::further_words<Layout, More...>
+        requires detail::further_words<Layout, More...> and (not drive_control_word<Word>)
     constexpr basic_process_status(Word const& status_word, fc::output_frequency frequency, More... more) noexcept
         : basic_process_status{status_word.raw, frequency, more...}
     {}

@@ -8,7 +8,7 @@ namespace drivecodec::fc {
 
 /// Finds every valid telegram in a noisy line; see `deframer` for how to feed it and what comes out.
 ///
-/// A silence is `timing::pause()`. A BCC has eight bits: of 256 runs of noise that begin like a telegram, one ends like
+/// A silence is `timing::silence()`. A BCC has eight bits: of 256 runs of noise that begin like a telegram, one ends like
 /// one. Slaves act on aligned telegrams only, and masters check what answers them.
 template <typename Layout = vlt_layout, std::size_t Capacity = max_telegram_size + 64>
 class basic_reader : public deframer<framing<Layout>, Capacity> {

@@ -43,11 +43,12 @@ public:
     [[nodiscard]] constexpr std::uint32_t gap() const noexcept { return characters(2); }
 
     /// Before each telegram the line is silent at least as long: two characters. The manual has this number in both
-    /// rules; a telegram begins only behind such a pause, so a reader's `silence` belongs here.
-    ///
-    /// Both are from the end of a character to the start of the next. Who sees a character only when it is complete adds
-    /// one `character()`: the next may have begun just before the pause was over.
+    /// rules; a telegram begins only behind such a pause. Both are from the end of a character to the start of the next.
     [[nodiscard]] constexpr std::uint32_t pause() const noexcept { return characters(2); }
+
+    /// When nothing was received for so long, there was a pause: a reader's `silence`. One character more than `pause()`,
+    /// since who receives sees a character only when it is complete, and it may have begun just before the pause was over.
+    [[nodiscard]] constexpr std::uint32_t silence() const noexcept { return characters(3); }
 
     /// The time `size` bytes take without gaps. Precondition: size <= 256, the longest telegram.
     [[nodiscard]] constexpr std::uint32_t telegram(std::size_t size) const noexcept

@@ -95,7 +95,7 @@ public:
         return fc::read_value(pnu, process);
     }
     /// Of an array; the first element is 1.
-    [[nodiscard]] static constexpr request read(std::uint8_t array_index, fc::process_command process) noexcept
+    [[nodiscard]] static constexpr request read(fc::array_index_value array_index, fc::process_command process) noexcept
         requires(row.is_array)
     {
         return fc::read_value(pnu, array_index, process);

@@ -70,7 +70,7 @@ constexpr void write_parameter(text_writer& out, Parameter const& data) noexcept
     if constexpr (not Parameter::is_request) {
         if (ak == ak_reply::cannot_be_executed) {
             out.put(": ");
-            write_text(out, parameter_error{static_cast<std::uint16_t>(data.pwe)});
+            write_text(out, data.refusal());
             if (data.pwe > 0xFFFF) { write_pwe(out, data.pwe); }
             return;
         }
