@@ -96,7 +96,8 @@ template <typename Layout>
     }
     if (kind != fc::data_kind::unknown) {
         json_array words;
-        for (auto const word : fc::basic_process_status<Layout>::read(data.last(Layout::process_size)).pcd()) {
+        auto const process = fc::basic_process_status<Layout>::read(data.last(Layout::process_size));
+        for (auto const word : process.pcd()) {
             words.add(std::to_string(word));
         }
         out.add_json("pcd", words.text());

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <random>
+#include <string_view>
 
 namespace {
 
@@ -28,11 +29,16 @@ constexpr auto forwards = data_valid(0x047F, 50_percent);
 
 constexpr process_status running{0x0F03, 50_percent};
 
+[[nodiscard]] byte_list characters_of(std::string_view text)
+{
+    return {text.begin(), text.end()};
+}
+
 /// Has one word, one double word, one array, one text, and counts what it was asked.
 struct drive {
     std::uint16_t         word        = 10;
     std::uint32_t         double_word = 0x12345;
-    byte_list             text{'V', 'L', 'T', '6', '0', '0', '0'};
+    byte_list             text        = characters_of("VLT6000");
     int                   parameters = 0;
     int                   texts      = 0;
     int                   processes  = 0;

@@ -26,10 +26,12 @@ public:
 
     /// PCD1 has index 0. Precondition: index < Layout::process_words.
     [[nodiscard]] constexpr std::uint16_t pcd(std::size_t index) const noexcept { return words_[index]; }
-    [[nodiscard]] constexpr std::span<std::uint16_t const, Layout::process_words> pcd() const noexcept
+    [[nodiscard]] constexpr std::span<std::uint16_t const, Layout::process_words> pcd() const& noexcept
     {
         return words_;
     }
+    /// Refused: the words would outlive a temporary. Name the block first.
+    void pcd() const&& = delete;
 
     constexpr void write(mutable_bytes out) const noexcept { store(out, each_word{}); }
 
