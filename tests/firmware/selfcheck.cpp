@@ -11,16 +11,18 @@
 #include <drivecodec/modbus/crc16/byte_table.hpp>
 #include <drivecodec/modbus/crc16/carryless.hpp>
 #include <drivecodec/modbus/crc16/nibble.hpp>
+#include <drivecodec/vlt6000.hpp>
 
 namespace {
 
 using drivecodec::bytes;
 using drivecodec::same_bytes;
-namespace cia402 = drivecodec::cia402;
-namespace fc     = drivecodec::fc;
-namespace modbus = drivecodec::modbus;
-namespace crc16  = drivecodec::modbus::crc16;
-namespace rtu    = drivecodec::modbus::rtu;
+namespace cia402  = drivecodec::cia402;
+namespace fc      = drivecodec::fc;
+namespace vlt6000 = drivecodec::vlt6000;
+namespace modbus  = drivecodec::modbus;
+namespace crc16   = drivecodec::modbus::crc16;
+namespace rtu     = drivecodec::modbus::rtu;
 
 int checks   = 0;
 int failures = 0;
@@ -367,6 +369,31 @@ void check_fc() noexcept
     check_fc_exchange<fc::text_request>(vectors::read_621, vectors::read_621_response);
 }
 
+/// The typed parameters of a drive; and what takes 64 bits, of which these processors have none.
+void check_vlt6000() noexcept
+{
+    using vlt6000::parameter;
+    using hertz = drivecodec::quantity<drivecodec::unit::hertz>;
+
+    auto const asked = fc::decode<fc::parameter_request>(vectors::write_202);
+    auto const made =
+        parameter<202>.make_write(opaque(hertz{1000, -1}), fc::storage::ram_and_eeprom, asked->data.process);
+    check(made and *made == asked->data, "VLT 6000", "writes 100 Hz as the manual does");
+    check(not parameter<202>.make_write(opaque(hertz{5005, -2}), fc::storage::ram, fc::data_not_valid), "VLT 6000",
+          "refuses a digit too many");
+    auto const given = fc::decode<fc::parameter_response>(vectors::write_202_response);
+    check(*parameter<202>.value(given->data) == hertz{100, 0}, "VLT 6000", "reads 100 Hz");
+
+    for (unsigned raw = 0; raw <= 0xFFFF; raw += 0x101) {
+        auto const reference = fc::reference::from_raw(static_cast<std::uint16_t>(raw));
+        auto const percent   = reference.percent();
+        check(percent and *fc::reference::make(*percent) == reference, "a reference", "comes back from percent");
+        auto const frequency = reference.frequency(hertz{}, hertz{50, 0});
+        check(frequency and *fc::reference::make(*frequency, hertz{}, hertz{50, 0}) == reference, "a reference",
+              "comes back from hertz");
+    }
+}
+
 }  // namespace
 
 int main()
@@ -385,6 +412,7 @@ int main()
     check_state_machine();
 
     check_fc();
+    check_vlt6000();
 
     check_crc<crc16::bitwise>("bitwise");
     check_crc<crc16::nibble>("nibble");
