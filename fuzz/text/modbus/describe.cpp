@@ -4,41 +4,15 @@
 #include "fuzz_common.hpp"
 #include "input.hpp"
 #include "modbus/rules.hpp"
+#include "text/description.hpp"
 
 #include <drivecodec/text/modbus.hpp>
-
-#include <string_view>
 
 namespace {
 
 namespace modbus = drivecodec::modbus;
 using drivecodec::bytes;
 using modbus::direction;
-
-using characters = exact_array<char>;
-
-/// `describe(room)` in plenty of room, and in `room` characters.
-template <typename Describe>
-void check(std::size_t room, Describe describe)
-{
-    characters const       plenty{modbus::max_description_size};
-    std::string_view const whole = describe(plenty.get());
-    FUZZ_ASSERT(not whole.empty() and whole.size() < modbus::max_description_size and whole.data() == plenty.get().data());
-    for (auto const character : whole) { FUZZ_ASSERT(character >= ' ' and character <= '~'); }
-    FUZZ_ASSERT(whole.back() != ' ');
-
-    characters const       narrow{room % (whole.size() + 2)};
-    std::string_view const part = describe(narrow.get());
-    auto const             size = narrow.get().size();
-    if (size >= whole.size()) {
-        FUZZ_ASSERT(part == whole);
-        return;
-    }
-    auto const dots = size < 3 ? size : 3;
-    FUZZ_ASSERT(part.size() == size);
-    FUZZ_ASSERT(part.substr(0, size - dots) == whole.substr(0, size - dots));
-    FUZZ_ASSERT(part.substr(size - dots) == std::string_view{"..."}.substr(0, dots));
-}
 
 }  // namespace
 
@@ -51,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
     bytes const request = input.take(input.u8());
     bytes const pdu     = input.rest();
 
-    check(room, [&](std::span<char> out) { return modbus::describe(which, pdu, out, request); });
+    check_description(modbus::max_description_size, room,
+                      [&](std::span<char> out) { return modbus::describe(which, pdu, out, request); });
 
     drivecodec::text_writer nowhere;
     auto const              fault = modbus::write_message(nowhere, which, pdu, request);
@@ -60,6 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
 
     if (pdu.size() < 4) { return 0; }  // as a frame, with whatever CRC
     modbus::rtu::frame const frame{.raw = pdu, .direction = which, .aligned = flags / 2 % 2 != 0};
-    check(room, [&](std::span<char> out) { return modbus::rtu::describe(frame, out, request); });
+    check_description(modbus::max_description_size, room,
+                      [&](std::span<char> out) { return modbus::rtu::describe(frame, out, request); });
     return 0;
 }
