@@ -363,8 +363,11 @@ int text(drive& target, options const&, words_of_command const& words)
     if (words.size() == 1) { return show(target.ask(fc::read_text(number, fc::data_not_valid))); }
     std::vector<std::uint8_t> const bytes{words[1].begin(), words[1].end()};
     if (auto const* row = vlt6000::find(number.number()); row != nullptr and not row->check_text(bytes.size()).ok()) {
+        auto const is_too_long = row->is_writable() and row->kind == vlt6000::kind::text;
         throw support::value_error{"the manual says that " + std::to_string(number.number())
-                                   + " cannot be set to that text"};
+                                   + (is_too_long
+                                          ? " takes at most " + std::to_string(row->max_text_length) + " characters"
+                                          : " is no text that can be written")};
     }
     auto const asked = fc::make_write_text(number, bytes, fc::data_not_valid);
     if (not asked) { throw support::value_error{"a telegram has no room for that text"}; }
