@@ -2,9 +2,11 @@
 #pragma once
 
 #include <drivecodec/cia402/command.hpp>
-#include <drivecodec/drives/xd1000/direction.hpp>
+#include <drivecodec/drives/direction.hpp>
 
 namespace drivecodec::xd1000 {
+
+using drives::direction;  // bit 11 of CMD asks for it, bit 15 of ETA tells it
 
 /// CMD, register 8501: what the drive is told. xD1000 manual, "Command word description".
 ///

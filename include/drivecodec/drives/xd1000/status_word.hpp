@@ -2,9 +2,11 @@
 #pragma once
 
 #include <drivecodec/cia402/state.hpp>
-#include <drivecodec/drives/xd1000/direction.hpp>
+#include <drivecodec/drives/direction.hpp>
 
 namespace drivecodec::xd1000 {
+
+using drives::direction;
 
 /// ETA, register 3201: what the drive says of itself. xD1000 manual, "Status word description".
 ///

@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/drives/xd1000/direction.hpp>
 #include <drivecodec/drives/xd1000/link.hpp>
+#include <drivecodec/text/drives/direction.hpp>
 
 #include <string_view>
 
 // An enumerator's own name; empty for a value without one.
 
 namespace drivecodec::xd1000 {
-
-[[nodiscard]] constexpr std::string_view to_string(direction which) noexcept
-{
-    switch (which) {
-    case direction::forward: return "forward";
-    case direction::reverse: return "reverse";
-    }
-    return {};
-}
 
 [[nodiscard]] constexpr std::string_view to_string(baud_rate code) noexcept
 {

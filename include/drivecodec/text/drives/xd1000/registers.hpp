@@ -2,6 +2,7 @@
 #pragma once
 
 #include <drivecodec/drives/xd1000/registers.hpp>
+#include <drivecodec/text/drives/code.hpp>
 #include <drivecodec/text/drives/register_row.hpp>
 #include <drivecodec/text/drives/xd1000/names.hpp>
 #include <drivecodec/text/drives/xd1000/words.hpp>
@@ -15,17 +16,6 @@ struct register_value {
 };
 
 namespace detail {
-
-/// A code's name, or the number of one without a name.
-template <typename Enum>
-constexpr void write_code(text_writer& out, Enum code) noexcept
-{
-    if (auto const name = to_string(code); name.empty()) {
-        out.decimal(static_cast<std::uint16_t>(code));
-    } else {
-        out.put(name);
-    }
-}
 
 /// `3201 ETA`, `3104 high_speed`, `0 unused`; of a register that the manual does not have the number alone.
 constexpr void write_address(text_writer& out, std::uint16_t address) noexcept
@@ -53,9 +43,9 @@ constexpr void write_text(text_writer& out, register_value given,
     }
     out.put(drives::title(*row)).put(' ');
     if (given.address == baud_rate_setting.address()) {
-        detail::write_code(out, baud_rate_setting.value(given.raw));
+        drives::write_code(out, baud_rate_setting.value(given.raw));
     } else if (given.address == character_format_setting.address()) {
-        detail::write_code(out, character_format_setting.value(given.raw));
+        drives::write_code(out, character_format_setting.value(given.raw));
     } else if (given.address == modbus_address.address() and given.raw == 0) {
         out.put("off");
     } else if (row->type == drives::raw_type::register_address) {

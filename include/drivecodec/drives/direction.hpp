@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-namespace drivecodec::xd1000 {
+namespace drivecodec::drives {
 
-/// Of rotation: bit 11 of CMD asks for it, bit 15 of ETA tells it.
+/// Of rotation, for a drive whose speeds have no sign.
 enum class direction : std::uint8_t { forward = 0, reverse = 1 };
 
-}  // namespace drivecodec::xd1000
+}  // namespace drivecodec::drives
