@@ -2,28 +2,20 @@
 //
 // Bytes of a Modbus RTU or FC line, in hexadecimal or live from a serial device, as readable frames: `decode --help`.
 #include "support/arguments.hpp"
-#include "support/auto_decoder.hpp"
-#include "support/fc_decoder.hpp"
 #include "support/hex.hpp"
-#include "support/modbus_decoder.hpp"
-#include "support/serial_port.hpp"
+#include "support/known_drives.hpp"
+#include "support/line_options.hpp"
+#include "support/listen.hpp"
 
-#include <drivecodec/fc/timing.hpp>
 #include <drivecodec/text/fc.hpp>
 #include <drivecodec/text/modbus.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
 #include <exception>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace {
 
@@ -68,30 +60,16 @@ constexpr int nothing_dropped = 0;
 constexpr int bytes_dropped   = 1;
 constexpr int wrong_usage     = 2;  // and whatever else keeps the program from its work
 
-enum class protocol { modbus, fc, unknown };
-
 struct options {
-    std::optional<::protocol>    protocol;
-    support::modbus_options      modbus;
-    support::fc_options          fc;
-    bool                         request_first = false;
-    std::string                  device;
-    std::optional<std::uint32_t> baud;
-    rtu::character_format        format = rtu::format_8e1;
-    std::optional<std::uint32_t> silence;  // microseconds
-    std::uint32_t                timeout = 1000;
-    std::optional<std::string>   hex;
+    support::line_options       line;
+    support::known_drive const* drive         = nullptr;
+    rtu::expecting              expect_modbus = rtu::expecting::either;
+    fc::expecting               expect_fc     = fc::expecting::either;
+    bool                        json          = false;
+    std::optional<std::string>  hex;
 };
 
 //=== command line ===//
-
-protocol to_protocol(std::string const& word)
-{
-    if (word == "modbus") { return protocol::modbus; }
-    if (word == "fc") { return protocol::fc; }
-    if (word == "auto") { return protocol::unknown; }
-    throw support::usage_error{"'" + word + "' is none of modbus, fc, auto"};
-}
 
 template <typename Expecting>
 Expecting to_expecting(std::string const& word)
@@ -105,64 +83,43 @@ Expecting to_expecting(std::string const& word)
 options parse(support::arguments words)
 {
     options chosen;
+    auto&   line = chosen.line;
     while (not words.empty()) {
         if (not words.is_option()) {
             chosen.hex = chosen.hex.value_or("") + words.next("") + ' ';
             continue;
         }
-        auto const word   = words.next("");
-        auto const equals = word.find('=');
-        auto const name   = word.substr(0, equals);
-        auto const value  = [&] {  // --name value or --name=value
-            return equals == std::string::npos ? words.next("the value of " + name) : word.substr(equals + 1);
-        };
-        if (word == "--request-first") {
-            chosen.request_first = true;
-        } else if (word == "--json") {
-            chosen.modbus.json = chosen.fc.json = true;
-        } else if (name == "--protocol") {
-            chosen.protocol = to_protocol(value());
+        support::option word{words};
+        auto const      name = word.name();
+        if (name == "--json") {
+            word.has_no_value();
+            chosen.json = true;
         } else if (name == "--drive") {
-            auto const drive     = value();
-            chosen.modbus.xd1000 = drive == "xd1000";
-            chosen.fc.vlt6000    = drive == "vlt6000";
-            if (not chosen.modbus.xd1000 and not chosen.fc.vlt6000) {
-                throw support::usage_error{"'" + drive + "' is no drive that is known here: xd1000, vlt6000"};
-            }
+            chosen.drive = &support::to_drive(word.value());
         } else if (name == "--expect") {
-            auto const what      = value();
-            chosen.modbus.expect = to_expecting<rtu::expecting>(what);
-            chosen.fc.expect     = to_expecting<fc::expecting>(what);
-        } else if (name == "--pcd") {
-            chosen.fc.process_words = support::to<std::size_t>(value(), 2, 16);
-        } else if (name == "--pnu-bits") {
-            chosen.fc.parameter_bits = support::to<unsigned>(value(), 11, 12);
-        } else if (name == "--device") {
-            chosen.device = value();
-        } else if (name == "--baud") {
-            chosen.baud = support::to<std::uint32_t>(value(), 1);
-        } else if (name == "--format") {
-            chosen.format = support::to_format(value());
-        } else if (name == "--silence") {
-            chosen.silence = support::to<std::uint32_t>(value(), 1);
-        } else if (name == "--timeout") {
-            chosen.timeout = support::to<std::uint32_t>(value(), 1);
-        } else {
-            throw support::usage_error{"there is no option " + word};
+            auto const what      = word.value();
+            chosen.expect_modbus = to_expecting<rtu::expecting>(what);
+            chosen.expect_fc     = to_expecting<fc::expecting>(what);
+        } else if (not line.take(word)) {
+            word.refuse();
         }
     }
-    if (chosen.hex and not chosen.device.empty()) {
+    if (chosen.hex and not line.device.empty()) {
         throw support::usage_error{"either hexadecimal or --device, not both"};
     }
-    if (not chosen.protocol) { chosen.protocol = chosen.fc.vlt6000 ? protocol::fc : protocol::modbus; }
-    if (chosen.modbus.xd1000 and chosen.protocol == protocol::fc) {
-        throw support::usage_error{"an xd1000 does not have the FC protocol"};
+    using support::line_protocol;
+    auto const needs_fc = chosen.drive != nullptr and not chosen.drive->has_modbus;
+    if (not line.protocol) { line.protocol = needs_fc ? line_protocol::fc : line_protocol::modbus; }
+    if (chosen.drive == nullptr) { return chosen; }
+    auto const with_article = std::string{chosen.drive->with_article};
+    if (not chosen.drive->has_fc and line.protocol == line_protocol::fc) {
+        throw support::usage_error{with_article + " does not have the FC protocol"};
     }
-    if (chosen.fc.vlt6000 and chosen.protocol == protocol::modbus) {
-        throw support::usage_error{"a vlt6000 does not have Modbus"};
+    if (not chosen.drive->has_modbus and line.protocol == line_protocol::modbus) {
+        throw support::usage_error{with_article + " does not have Modbus"};
     }
-    if (chosen.fc.vlt6000 and (chosen.fc.process_words != 2 or chosen.fc.parameter_bits != 11)) {
-        throw support::usage_error{"a vlt6000 has two process words and parameter numbers of 11 bits"};
+    if (chosen.drive->has_fc and (line.process_words != 2 or line.parameter_bits != 11)) {
+        throw support::usage_error{with_article + " has two process words and parameter numbers of 11 bits"};
     }
     return chosen;
 }
@@ -171,22 +128,17 @@ options parse(support::arguments words)
 
 std::unique_ptr<support::decoder> make_decoder(options const& chosen)
 {
-    auto const make_modbus = [chosen](std::ostream& out) {
-        return std::make_unique<support::modbus_decoder>(chosen.modbus, out);
-    };
-    auto const make_fc = [chosen](std::ostream& out) { return support::make_fc_decoder(chosen.fc, out); };
-    switch (*chosen.protocol) {
-    case protocol::modbus: return make_modbus(std::cout);
-    case protocol::fc: return make_fc(std::cout);
-    case protocol::unknown: break;
-    }
-    return std::make_unique<support::auto_decoder>(make_modbus, make_fc, std::cout);
+    auto const how     = chosen.json ? support::style::json : support::style::text;
+    auto const explain = chosen.drive != nullptr ? chosen.drive->make_explainer() : support::drive_explainer{};
+    return support::make_decoder(chosen.line, {.expect = chosen.expect_modbus, .how = how, .explain = explain.modbus},
+                                 {.expect = chosen.expect_fc, .how = how, .explain = explain.fc},
+                                 support::lines_to(std::cout, chosen.json));
 }
 
 std::unique_ptr<support::decoder> make_hex_decoder(options const& chosen)
 {
     auto out = make_decoder(chosen);
-    if (chosen.request_first) { out->request_timed_out(); }
+    if (chosen.line.request_first) { out->request_timed_out(); }
     return out;
 }
 
@@ -229,64 +181,15 @@ int decode_lines(options const& chosen)
 
 //=== a live line ===//
 
-std::sig_atomic_t volatile& stopped()
-{
-    static volatile std::sig_atomic_t flag = 0;
-    return flag;
-}
-
-void stop(int)
-{
-    stopped() = 1;
-}
-
-/// Behind which a frame begins anew, in microseconds.
-std::uint32_t silence_at(options const& chosen, std::uint32_t baud)
-{
-    constexpr std::uint32_t usb_latency = 20'000;
-    auto const              by_protocol = chosen.protocol == protocol::fc ? fc::timing::make(baud)->silence()
-                                                                          : rtu::timing::make(baud, chosen.format)->inter_frame();
-    return chosen.silence.value_or(std::max(by_protocol, usb_latency));
-}
-
 int listen(options const& chosen)
 {
-    using clock                      = std::chrono::steady_clock;
-    constexpr std::uint32_t patience = 200'000;  // to look at `stopped` on a line without traffic
-
-    auto const baud = chosen.baud.value_or(chosen.protocol == protocol::fc or chosen.fc.vlt6000 ? 9600 : 19200);
-    auto       port = support::serial_port::open(chosen.device, baud, chosen.format);
-    if (not port) {
-        auto const reason = errno == EINVAL ? std::string{"not a baud rate of this device"}
-                                            : std::error_code{errno, std::generic_category()}.message();
-        throw support::usage_error{"cannot open " + chosen.device + " with " + std::to_string(baud)
-                                   + " baud: " + reason};
-    }
-    auto const silence = silence_at(chosen, baud);
-
-    static_cast<void>(std::signal(SIGINT, stop));
-    static_cast<void>(std::signal(SIGTERM, stop));
-    auto const                    out   = make_decoder(chosen);
-    auto                          heard = clock::now();
-    std::array<std::uint8_t, 256> room;
-    for (auto is_silent = true; stopped() == 0;) {
-        auto const is_idle  = is_silent and not out->is_waiting_for_response();
-        auto const received = port->read(room, is_idle ? patience : silence);
-        if (not received) { break; }
-        if (out->is_waiting_for_response() and clock::now() - heard > std::chrono::milliseconds{chosen.timeout}) {
-            out->request_timed_out();
-        }
-        is_silent = *received == 0;
-        if (is_silent) {
-            out->silence();
-        } else {
-            out->push(drivecodec::bytes{room}.first(*received));
-            heard = clock::now();
-        }
-    }
-    out->silence();
+    auto const         out = make_decoder(chosen);
+    support::timed_ear ear{*out, std::uint64_t{chosen.line.timeout} * 1000};
+    auto const         has_fc = chosen.drive != nullptr and chosen.drive->has_fc;
+    auto const         baud   = chosen.line.protocol == support::line_protocol::fc or has_fc ? 9600U : 19200U;
+    support::listen(chosen.line, baud, ear, [] { std::cout.flush(); });
     out->end(false);
-    std::cout << support::line_of(out->counters(), chosen.modbus.json) << std::endl;
+    std::cout << support::line_of(out->counters(), chosen.json) << std::endl;
     return exit_status(*out);
 }
 
@@ -296,9 +199,9 @@ int main(int argc, char** argv)
 {
     try {
         auto const chosen = parse({argc, argv});
-        auto const status = not chosen.device.empty() ? listen(chosen)
-                            : chosen.hex              ? decode_arguments(chosen)
-                                                      : decode_lines(chosen);
+        auto const status = not chosen.line.device.empty() ? listen(chosen)
+                            : chosen.hex                   ? decode_arguments(chosen)
+                                                           : decode_lines(chosen);
         if (std::cout.flush()) { return status; }
         std::cerr << "decode: cannot write what was decoded; is the disk full?\n";
     } catch (support::help_wanted) {

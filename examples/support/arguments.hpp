@@ -30,7 +30,9 @@ struct help_wanted {};
     try {
         auto const is_hex = word.find("0x") != std::string::npos or word.find("0X") != std::string::npos;
         number            = std::stoll(word, &used, is_hex ? 16 : 10);
-    } catch (std::logic_error const&) { used = 0; }
+    } catch (std::logic_error const&) {
+        used = 0;
+    }
     if (used == 0 or used != word.size() or number < lowest or number > highest) {
         throw usage_error{"'" + word + "' is not a number from " + std::to_string(lowest) + " to "
                           + std::to_string(highest)};
@@ -91,6 +93,33 @@ public:
 private:
     std::vector<std::string> words_;
     std::size_t              at_ = 0;
+};
+
+/// An option that is written `--name value` or `--name=value`.
+class option {
+public:
+    explicit option(arguments& words) : words_{words}, word_{words.next("")}, equals_{word_.find('=')} {}
+
+    [[nodiscard]] std::string name() const { return word_.substr(0, equals_); }
+
+    /// Takes it.
+    [[nodiscard]] std::string value()
+    {
+        return equals_ == std::string::npos ? words_.next("the value of " + name()) : word_.substr(equals_ + 1);
+    }
+
+    /// Throws if there is a value.
+    void has_no_value() const
+    {
+        if (equals_ != std::string::npos) { refuse(); }
+    }
+
+    [[noreturn]] void refuse() const { throw usage_error{"there is no option " + word_}; }
+
+private:
+    arguments&  words_;
+    std::string word_;
+    std::size_t equals_;
 };
 
 }  // namespace support

@@ -5,26 +5,26 @@
 
 #include <functional>
 #include <memory>
-#include <sstream>
+#include <vector>
 
 namespace support {
 
 /// Tells Modbus from the FC protocol, then is a decoder of that one.
 ///
 /// A CRC beats a BCC: Modbus is believed from its first frame on, FC from its second telegram on if no CRC frame begins
-/// before the end of that. Until then both read every byte, and their lines are held back; then those of one are
-/// written, and the other is forgotten. What is written depends on the bytes and silences alone, not on their chunks.
+/// before the end of that. Until then both read every byte, and what they find is held back; then what one found is
+/// given, and the other is forgotten. What is given depends on the bytes and silences alone, not on their chunks.
 ///
-/// After `most_held` bytes without a decision they are written as what they are in Modbus, dropped bytes, a silence is
+/// After `most_held` bytes without a decision they are given as what they are in Modbus, dropped bytes, a silence is
 /// assumed, and the search begins anew. At the end of what was whole one FC telegram is enough, if it began a line.
 class auto_decoder final : public decoder {
 public:
     static constexpr std::size_t most_held = 4096;
 
-    using maker = std::function<std::unique_ptr<protocol_decoder>(std::ostream&)>;
+    using maker = std::function<std::unique_ptr<protocol_decoder>(sink)>;
 
-    auto_decoder(maker make_modbus, maker make_fc, std::ostream& out)
-        : make_modbus_{std::move(make_modbus)}, make_fc_{std::move(make_fc)}, out_{out}
+    auto_decoder(maker make_modbus, maker make_fc, sink out)
+        : make_modbus_{std::move(make_modbus)}, make_fc_{std::move(make_fc)}, out_{std::move(out)}
     {
         begin();
     }
@@ -39,7 +39,7 @@ public:
             if (chosen_ == nullptr and held_ == most_held) { give_up(); }
         }
         if (chosen_ != nullptr) { chosen_->reader->push(received); }
-        write();
+        give();
     }
 
     void silence() override
@@ -60,7 +60,8 @@ public:
             auto const is_fc = is_whole and fc_.reader->found().first_begin and fc_.reader->found().is_aligned;
             chosen_          = is_fc ? &fc_ : &modbus_;
         }
-        write();
+        chosen_->reader->end(is_whole);
+        give();
     }
 
     [[nodiscard]] bool is_waiting_for_response() const override
@@ -76,14 +77,14 @@ public:
 
 private:
     struct candidate {
-        std::unique_ptr<std::ostringstream> lines;
-        std::unique_ptr<protocol_decoder>   reader;
+        std::unique_ptr<std::vector<traffic_item>> held;
+        std::unique_ptr<protocol_decoder>          reader;
     };
 
     [[nodiscard]] static candidate make(maker const& make_reader)
     {
-        candidate made{std::make_unique<std::ostringstream>(), nullptr};
-        made.reader = make_reader(*made.lines);
+        candidate made{std::make_unique<std::vector<traffic_item>>(), nullptr};
+        made.reader = make_reader([held = made.held.get()](traffic_item const& item) { held->push_back(item); });
         return made;
     }
 
@@ -104,7 +105,7 @@ private:
             act(*fc_.reader);
             choose();
         }
-        write();
+        give();
     }
 
     void choose()
@@ -122,17 +123,20 @@ private:
     {
         silence();
         if (chosen_ != nullptr) { return; }
-        out_ << modbus_.lines->str();
+        give(modbus_);
         given_up_ = sum(given_up_, modbus_.reader->counters());
         begin();
     }
 
-    void write()
+    void give()
     {
-        if (chosen_ == nullptr) { return; }
-        out_ << chosen_->lines->str();
-        out_.flush();
-        chosen_->lines->str({});
+        if (chosen_ != nullptr) { give(*chosen_); }
+    }
+
+    void give(candidate& from)
+    {
+        for (auto const& item : *from.held) { out_(item); }
+        from.held->clear();
     }
 
     [[nodiscard]] static drivecodec::stream_counters sum(drivecodec::stream_counters a, drivecodec::stream_counters b)
@@ -148,7 +152,7 @@ private:
 
     maker                       make_modbus_;
     maker                       make_fc_;
-    std::ostream&               out_;
+    sink                        out_;
     candidate                   modbus_;
     candidate                   fc_;
     candidate*                  chosen_ = nullptr;

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "json.hpp"
-#include "stream_json.hpp"
-
-#include <drivecodec/text/core.hpp>
+#include "traffic_item.hpp"
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <utility>
 
-// Bytes of a line in, lines of text or JSON out.
+// Bytes of a line in, what was found in them out.
 
 namespace support {
 
@@ -38,35 +34,16 @@ public:
     [[nodiscard]] virtual drivecodec::stream_counters counters() const                = 0;
 };
 
-/// A thing as a line of JSON, or of text.
-template <typename Thing>
-[[nodiscard]] std::string line_of(Thing const& thing, bool json)
-{
-    if (json) { return to_json(thing); }
-    std::array<char, 1024> buffer;
-    return std::string{drivecodec::describe(thing, buffer)};
-}
-
-/// The line of a frame, and what it means to a drive: a line below it, or in JSON one more member.
-[[nodiscard]] inline std::string with_meaning(std::string line, std::string const& meaning, bool json)
-{
-    if (meaning.empty()) { return line; }
-    if (not json) { return line + "\n    " + meaning; }
-    line.pop_back();
-    return line + ",\"meaning\":" + json_text(meaning) + '}';
-}
-
 /// A decoder of one protocol that can say what it found where: offsets in the stream since it began.
 class protocol_decoder : public decoder {
 public:
     struct findings {
-        std::uint64_t                judged = 0;          ///< The line of every byte before it is written.
+        std::uint64_t                judged = 0;          ///< The item of every byte before it is given.
         std::optional<std::uint64_t> first_begin;         ///< Of the first frame that counts.
         std::optional<std::uint64_t> second_end;          ///< Of the second.
         bool                         is_aligned = false;  ///< The first began after a silence.
     };
 
-    void                          end(bool) final {}
     [[nodiscard]] findings const& found() const { return found_; }
 
 protected:
@@ -85,67 +62,120 @@ private:
     findings found_;
 };
 
-/// Feeds a stream reader and writes what it finds.
+/// Feeds a stream reader, and gives what it finds; pairs replies with the requests before them.
+///
+/// A slave may speak once it is asked, until the next frame: every frame that is not the reply ends the waiting.
 template <typename Reader>
 class reader_decoder : public protocol_decoder {
 public:
     using frame = typename Reader::frame;
 
-    reader_decoder(Reader reader, bool json, std::ostream& out) : reader_{std::move(reader)}, json_{json}, out_{out} {}
+    reader_decoder(Reader reader, style how, sink out) : reader_{std::move(reader)}, style_{how}, out_{std::move(out)}
+    {}
 
     void push(drivecodec::bytes received) final
     {
         while (not received.empty()) {
             received = reader_.push(received);
-            write_all();
+            give_all();
         }
     }
 
     void silence() final
     {
         reader_.silence();
-        write_all();
+        give_all();
     }
 
     void request_timed_out() final
     {
         reader_.request_timed_out();
+        give_up_waiting(silence_until::time_out);
         forget_request();
-        write_all();
+        give_all();
     }
 
+    void end(bool is_whole) final
+    {
+        if (is_whole) { give_up_waiting(silence_until::end); }
+    }
+
+    [[nodiscard]] bool                        is_waiting_for_response() const override { return asked_.has_value(); }
     [[nodiscard]] drivecodec::stream_counters counters() const final { return reader_.counters(); }
 
 protected:
-    /// The line of a frame, or its lines, without the newline at the end.
-    [[nodiscard]] virtual std::string lines_of(frame const& heard) = 0;
+    /// What a frame is, without its text; `is_answer` is yet to be found out.
+    [[nodiscard]] virtual traffic_item item_of(frame const& heard) const = 0;
+
+    /// Is a reply of the one that was asked the reply to that request?
+    [[nodiscard]] virtual bool answers_request(frame const&) const { return true; }
+
+    /// Writes text and meaning. What has to be known of a request until its reply comes is to be remembered here.
+    virtual void describe(frame const& heard, traffic_item& item) = 0;
+
+    /// Whom a frame would be to or from that begins with these bytes, of which something is wrong.
+    [[nodiscard]] virtual std::optional<std::uint8_t> damaged_address(drivecodec::bytes raw) const = 0;
 
     /// Does this frame tell of the protocol?
     [[nodiscard]] virtual bool is_typical(frame const&) const { return true; }
 
     virtual void forget_request() = 0;
 
-    [[nodiscard]] bool json() const { return json_; }
+    [[nodiscard]] style how() const { return style_; }
 
 private:
-    void write_all()
+    void give_all()
     {
         while (auto const item = reader_.next()) {
             if (auto const* heard = item.frame()) {
                 if (is_typical(*heard)) { this->count_frame(heard->raw.size(), heard->aligned); }
-                out_ << lines_of(*heard) << '\n';
-                this->pass(heard->raw.size());
+                give(*heard);
             } else if (auto const* run = item.dropped()) {
-                out_ << line_of(*run, json_) << '\n';
-                this->pass(run->raw.size());
+                give(*run);
             }
         }
-        out_.flush();
     }
 
-    Reader        reader_;
-    bool          json_;
-    std::ostream& out_;
+    void give(frame const& heard)
+    {
+        auto item      = item_of(heard);
+        item.size      = heard.raw.size();
+        item.is_answer = item.is_reply() and asked_ == item.address and answers_request(heard);
+        if (item.is_answer) {
+            asked_.reset();
+        } else {
+            give_up_waiting(silence_until::next_frame);
+        }
+        describe(heard, item);
+        if (item.expects_reply) { asked_ = item.address; }
+        out_(item);
+        this->pass(item.size);
+    }
+
+    void give(drivecodec::dropped_bytes const& run)
+    {
+        auto const reason = run.reason;
+        auto const begins = reason == drivecodec::errc::bad_checksum or reason == drivecodec::errc::truncated;
+        out_({.kind         = traffic::dropped,
+              .address      = asked_,
+              .seems_from   = begins ? damaged_address(run.raw) : std::nullopt,
+              .is_bad_check = reason == drivecodec::errc::bad_checksum,
+              .size         = run.raw.size(),
+              .text         = line_of(run, style_ == style::json)});
+        this->pass(run.raw.size());
+    }
+
+    void give_up_waiting(silence_until when)
+    {
+        if (not asked_) { return; }
+        out_({.kind = traffic::unanswered, .address = asked_, .until = when});
+        asked_.reset();
+    }
+
+    Reader                      reader_;
+    style                       style_;
+    sink                        out_;
+    std::optional<std::uint8_t> asked_;  // who has not replied yet
 };
 
 }  // namespace support

@@ -95,13 +95,25 @@ file_descriptor::~file_descriptor()
 
 std::optional<serial_port> serial_port::open(std::string const& path, std::uint32_t baud, character_format format)
 {
+    return open(path, baud, format, O_RDWR);
+}
+
+std::optional<serial_port> serial_port::open_to_listen(std::string const& path, std::uint32_t baud,
+                                                       character_format format)
+{
+    return open(path, baud, format, O_RDONLY);
+}
+
+std::optional<serial_port> serial_port::open(std::string const& path, std::uint32_t baud, character_format format,
+                                             int access)
+{
     auto const speed = speed_of(baud);
     if (not speed) {
         errno = EINVAL;
         return std::nullopt;
     }
     // Without O_NONBLOCK, opening a device may wait for a modem's carrier.
-    file_descriptor device{::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)};
+    file_descriptor device{::open(path.c_str(), access | O_NOCTTY | O_CLOEXEC | O_NONBLOCK)};
     if (not device.is_open() or not configure(device.number(), *speed, format)) { return std::nullopt; }
     if (fcntl(device.number(), F_SETFL, 0) != 0) { return std::nullopt; }
     return serial_port{std::move(device), file_descriptor{}, path};

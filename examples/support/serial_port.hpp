@@ -46,6 +46,10 @@ public:
     [[nodiscard]] static std::optional<serial_port> open(std::string const& path, std::uint32_t baud,
                                                          character_format format = {});
 
+    /// The same, of which nothing can be written: for who only listens.
+    [[nodiscard]] static std::optional<serial_port> open_to_listen(std::string const& path, std::uint32_t baud,
+                                                                   character_format format = {});
+
     /// Makes a pseudo-terminal, a line without wires: this is one end, and whoever opens `name()` is at the other.
     /// It stays usable when the other end is closed and opened again.
     [[nodiscard]] static std::optional<serial_port> pseudo_terminal();
@@ -69,6 +73,9 @@ private:
     serial_port(file_descriptor descriptor, file_descriptor other_end, std::string name) noexcept
         : descriptor_{std::move(descriptor)}, other_end_{std::move(other_end)}, name_{std::move(name)}
     {}
+
+    [[nodiscard]] static std::optional<serial_port> open(std::string const& path, std::uint32_t baud,
+                                                         character_format format, int access);
 
     file_descriptor descriptor_;
     file_descriptor other_end_;  // held open, else a pseudo-terminal hangs up when its user leaves

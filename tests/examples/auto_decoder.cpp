@@ -18,13 +18,14 @@ namespace {
 using drivecodec::bytes;
 using buffer = std::vector<std::uint8_t>;
 
-std::unique_ptr<support::protocol_decoder> make_modbus(std::ostream& out)
+std::unique_ptr<support::protocol_decoder> make_modbus(support::sink out)
 {
-    return std::make_unique<support::modbus_decoder>(support::modbus_options{.json = true}, out);
+    return std::make_unique<support::modbus_decoder>(support::modbus_options{.how = support::style::json},
+                                                     std::move(out));
 }
-std::unique_ptr<support::protocol_decoder> make_fc(std::ostream& out)
+std::unique_ptr<support::protocol_decoder> make_fc(support::sink out)
 {
-    return support::make_fc_decoder({.json = true}, out);
+    return support::make_fc_decoder({.how = support::style::json}, std::move(out));
 }
 
 /// What comes along a line: bytes, then a silence, bytes ...
@@ -59,7 +60,7 @@ struct decoded {
 decoded decode_with(auto make, line const& heard)
 {
     std::ostringstream out;
-    auto const         decoder = make(out);
+    auto const         decoder = make(support::lines_to(out, true));
     feed(*decoder, heard, whole);
     decoder->end(true);
     return {out.str(), decoder->counters()};
@@ -68,7 +69,7 @@ decoded decode_with(auto make, line const& heard)
 decoded decode_auto(line const& heard, bool is_whole = true, chunk_sizes const& size_of_chunk = whole)
 {
     std::ostringstream    out;
-    support::auto_decoder decoder{make_modbus, make_fc, out};
+    support::auto_decoder decoder{make_modbus, make_fc, support::lines_to(out, true)};
     feed(decoder, heard, size_of_chunk);
     decoder.end(is_whole);
     return {out.str(), decoder.counters()};
@@ -170,7 +171,7 @@ TEST(auto_decoder, prints_what_one_of_the_two_would_have_printed_whatever_the_ch
 TEST(auto_decoder, says_nothing_before_it_knows_and_then_all)
 {
     std::ostringstream    out;
-    support::auto_decoder decoder{make_modbus, make_fc, out};
+    support::auto_decoder decoder{make_modbus, make_fc, support::lines_to(out, true)};
     decoder.push(broadcast);
     decoder.silence();
     EXPECT_EQ(out.str(), "");
@@ -184,7 +185,7 @@ TEST(auto_decoder, says_nothing_before_it_knows_and_then_all)
 TEST(auto_decoder, says_at_once_what_is_modbus)
 {
     std::ostringstream    out;
-    support::auto_decoder decoder{make_modbus, make_fc, out};
+    support::auto_decoder decoder{make_modbus, make_fc, support::lines_to(out, true)};
     decoder.push(both);
     EXPECT_TRUE(has(out.str(), "modbus-rtu"));
     EXPECT_TRUE(decoder.is_waiting_for_response());
@@ -213,7 +214,7 @@ TEST(auto_decoder, believes_a_single_telegram_only_where_the_input_is_over)
 TEST(auto_decoder, forgets_the_request_of_a_single_telegram)
 {
     std::ostringstream    out;
-    support::auto_decoder decoder{make_modbus, make_fc, out};
+    support::auto_decoder decoder{make_modbus, make_fc, support::lines_to(out, true)};
     buffer const          to_eeprom{0x02, 0x0E, 0x01, 0xE0, 0xCA, 0, 0, 0, 0, 0x03, 0xE8, 0, 0, 0, 0, 0xCC};
     decoder.push(to_eeprom);
     EXPECT_TRUE(decoder.is_waiting_for_response());
@@ -230,7 +231,7 @@ TEST(auto_decoder, holds_back_at_most_4096_bytes)
 {
     constexpr auto        most = support::auto_decoder::most_held;
     std::ostringstream    out;
-    support::auto_decoder decoder{make_modbus, make_fc, out};
+    support::auto_decoder decoder{make_modbus, make_fc, support::lines_to(out, true)};
     buffer const          noise(10 * most + 100, 0x55);
     std::size_t           pushed = 0;
     for (auto const byte : noise) {

@@ -95,7 +95,7 @@ expect_refusal("an xd1000 does not have the FC protocol" COMMAND ${fc} --drive x
 expect_refusal("a vlt6000 does not have Modbus" COMMAND ${DECODE} --protocol modbus --drive vlt6000)
 expect_refusal("a vlt6000 has two process words and parameter numbers of 11 bits"
     COMMAND ${DECODE} --drive vlt6000 --pnu-bits 12)
-expect_refusal("'smd' is no drive that is known here: xd1000, vlt6000" COMMAND ${DECODE} --drive smd)
+expect_refusal("'acs550' is no drive that is known here: xd1000, vlt6000, smd" COMMAND ${DECODE} --drive acs550)
 
 #=== what telegrams mean to a drive ===#
 
