@@ -17,11 +17,12 @@ constexpr register_row row_of(std::uint16_t address, raw_type type, raw_limits l
     return {address, "", "", "", type, 0, unit::none, source::manual, limits, no_default, may, source::manual, codes};
 }
 
-constexpr register_table<4> table{
+constexpr register_table<5> table{
     row_of(10, raw_type::unsigned_number, {1, 300, source::manual}, drives::access::read_write),
     row_of(11, raw_type::signed_number, {-5, 5, source::manual}, drives::access::read_write_at_standstill),
     row_of(12, raw_type::bits, no_limits_unsigned, drives::access::read_only),
     row_of(20, raw_type::enumeration, {3, 5, source::manual}, drives::access::read_write, choices),
+    row_of(21, raw_type::two_bytes, no_limits_unsigned, drives::access::write_only),
 };
 
 TEST(register_row, reads_16_bits_as_its_type_says)
@@ -40,6 +41,32 @@ TEST(register_row, takes_what_is_within_its_limits)
     }
 }
 
+TEST(register_row, is_written_or_read_as_its_access_says)
+{
+    VERIFY(table[0].is_readable() and table[0].is_writable());
+    VERIFY(table[1].is_readable() and table[1].is_writable());
+    VERIFY(table[2].is_readable() and not table[2].is_writable());
+    VERIFY(not table[4].is_readable() and table[4].is_writable());
+    VERIFY(table[4].check_write(0x1234).ok() and table[4].number(0x8001) == 0x8001);
+}
+
+TEST(register_row, makes_16_bits_of_a_physical_value)
+{
+    constexpr auto seconds = [] {
+        auto row     = table[0];
+        row.exponent = -1;
+        return row;
+    }();
+    VERIFY(*seconds.make_raw({50, -1}) == 50 and *seconds.make_raw({5, 0}) == 50
+           and *seconds.make_raw({500, -2}) == 50);
+    VERIFY(seconds.make_raw({501, -2}).error() == error{errc::inexact, 0});
+    VERIFY(seconds.make_raw({301, -1}).error() == error{errc::out_of_range, 0});
+    VERIFY(seconds.make_raw({0, 0}).error() == error{errc::out_of_range, 0});
+    VERIFY(seconds.make_raw({2'000'000'000, 3}).error() == error{errc::out_of_range, 0});
+    VERIFY(*table[1].make_raw({-5, 0}) == 0xFFFB);
+    VERIFY(table[3].make_raw({4, 0}).error() == error{errc::out_of_range, 0});
+}
+
 TEST(register_table, has_no_gap_that_can_be_read)
 {
     VERIFY(check_range(table, 10, 3).ok());
@@ -55,7 +82,7 @@ TEST(register_table, says_which_value_it_does_not_take)
     VERIFY(check_write(table, 10, std::array<std::uint16_t, 2>{301, 5}) == error{errc::out_of_range, 0});
     VERIFY(check_write(table, 10, std::array<std::uint16_t, 2>{300, 6}) == error{errc::out_of_range, 1});
     VERIFY(check_write(table, 10, std::array<std::uint16_t, 3>{300, 5, 0}) == error{errc::read_only, 2});
-    VERIFY(check_write(table, 20, std::array<std::uint16_t, 2>{3, 0}) == error{errc::bad_address, 1});
+    VERIFY(check_write(table, 21, std::array<std::uint16_t, 2>{3, 0}) == error{errc::bad_address, 1});
 }
 
 TEST(register_table, finds_by_address)

@@ -12,7 +12,9 @@ namespace drivecodec::drives {
 namespace compile_error {
 // Declared, never defined, not constexpr: calling one is how a consteval function says no. Its name is the text.
 void this_register_is_read_only();
+void this_register_is_write_only();
 void the_value_has_more_digits_than_the_register_can_hold();
+void the_value_is_none_of_those_that_the_register_takes();
 template <int Min, int Max, int Exponent>
 void the_value_must_be_between_min_and_max_times_ten_to_the_exponent();
 }  // namespace compile_error
@@ -69,7 +71,11 @@ struct basic_holding_register {
 
     //=== requests ===//
 
-    [[nodiscard]] static consteval typename Read::request read() { return {.range = {Address, 1}}; }
+    [[nodiscard]] static consteval typename Read::request read()
+    {
+        if (not row.is_readable()) { compile_error::this_register_is_write_only(); }
+        return {.range = {Address, 1}};
+    }
 
     /// A word of which the register takes every value, known when it may be.
     [[nodiscard]] static constexpr request write(Value wanted) noexcept
@@ -86,6 +92,9 @@ struct basic_holding_register {
         auto const bits = raw(wanted);
         if (not bits and bits.error().code() == errc::inexact) {
             compile_error::the_value_has_more_digits_than_the_register_can_hold();
+        }
+        if (not bits and not row.choices.empty()) {
+            compile_error::the_value_is_none_of_those_that_the_register_takes();
         }
         if (not bits) {
             compile_error::the_value_must_be_between_min_and_max_times_ten_to_the_exponent<row.limits.min,

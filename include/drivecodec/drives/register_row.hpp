@@ -13,10 +13,19 @@ enum class access : std::uint8_t {
     read_only,
     read_write,
     read_write_at_standstill,  ///< Refused while the motor has power.
+    write_only,
 };
 
 /// How the 16 bits of a register are to be read.
-enum class raw_type : std::uint8_t { unsigned_number, signed_number, bits, enumeration, register_address };
+enum class raw_type : std::uint8_t {
+    unsigned_number,
+    signed_number,
+    bits,
+    enumeration,
+    register_address,
+    two_bytes,  ///< Two numbers, of which the first is the high byte.
+    text,       ///< ASCII, two characters a register.
+};
 
 /// Where a fact is from.
 enum class source : std::uint8_t {
@@ -56,9 +65,11 @@ struct register_row {
     drives::access   access;
     source           access_from;
 
-    /// Of an enumeration: its codes, within the limits. Empty for all else.
+    /// Of an enumeration, or of bits of which only some may be sent: all that there are, within the limits. Empty for all
+    /// else.
     std::span<std::uint16_t const> choices{};
 
+    [[nodiscard]] constexpr bool is_readable() const noexcept { return access != drives::access::write_only; }
     [[nodiscard]] constexpr bool is_writable() const noexcept { return access != drives::access::read_only; }
 
     /// The 16 bits as the number they stand for.
@@ -73,6 +84,15 @@ struct register_row {
         auto is_choice = choices.empty();
         for (auto const choice : choices) { is_choice = is_choice or choice == wanted; }
         return wanted < limits.min or wanted > limits.max or not is_choice ? error{errc::out_of_range, 0} : error{};
+    }
+
+    /// The 16 bits of a physical value. Errors, at 0: `inexact`, `out_of_range`.
+    [[nodiscard]] constexpr result<std::uint16_t> make_raw(decimal value) const noexcept
+    {
+        auto const wanted = value.scaled_to(exponent);
+        if (not wanted) { return wanted.error(); }
+        if (auto const fault = check(*wanted); not fault.ok()) { return fault; }
+        return static_cast<std::uint16_t>(*wanted);
     }
 
     /// May these 16 bits be written? Errors, at 0: `read_only`, `out_of_range`.

@@ -39,11 +39,13 @@ constexpr bool reads(register_row const& what, std::uint16_t raw, std::string_vi
 
 TEST(text_register_row, has_a_name_for_every_enumerator)
 {
-    EXPECT_EQ(names_of_all_values<drives::access>().size(), 3);
-    EXPECT_EQ(names_of_all_values<raw_type>().size(), 5);
+    EXPECT_EQ(names_of_all_values<drives::access>().size(), 4);
+    EXPECT_EQ(names_of_all_values<raw_type>().size(), 7);
     EXPECT_EQ(names_of_all_values<source>().size(), 3);
     VERIFY(to_string(drives::access::read_write_at_standstill) == "read_write_at_standstill");
+    VERIFY(to_string(drives::access::write_only) == "write_only");
     VERIFY(to_string(raw_type::register_address) == "register_address");
+    VERIFY(to_string(raw_type::two_bytes) == "two_bytes" and to_string(raw_type::text) == "text");
     VERIFY(to_string(source::sister_drive) == "sister_drive");
 }
 
@@ -69,6 +71,8 @@ TEST(text_register_row, writes_each_unit_as_a_quantity_of_it)
 TEST(text_register_row, writes_bits_in_hexadecimal_and_calls_them_by_their_code)
 {
     VERIFY(reads(row(raw_type::bits, 0, unit::none), 0x0637, "0637"));
+    VERIFY(reads(row(raw_type::two_bytes, 0, unit::none), 0x6406, "6406"));
+    VERIFY(reads(row(raw_type::text, 0, unit::none), 0x534D, "534D"));
     VERIFY(reads(row(raw_type::enumeration, 0, unit::none), 32, "32"));
     VERIFY(title(row(raw_type::bits, 0, unit::none, "CMD")) == "CMD");
     VERIFY(title(row(raw_type::bits, 0, unit::none)) == "name");

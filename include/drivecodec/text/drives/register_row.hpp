@@ -14,6 +14,7 @@ namespace drivecodec::drives {
     case access::read_only: return "read_only";
     case access::read_write: return "read_write";
     case access::read_write_at_standstill: return "read_write_at_standstill";
+    case access::write_only: return "write_only";
     }
     return {};
 }
@@ -26,6 +27,8 @@ namespace drivecodec::drives {
     case raw_type::bits: return "bits";
     case raw_type::enumeration: return "enumeration";
     case raw_type::register_address: return "register_address";
+    case raw_type::two_bytes: return "two_bytes";
+    case raw_type::text: return "text";
     }
     return {};
 }
@@ -46,11 +49,11 @@ namespace drivecodec::drives {
     return row.type == raw_type::bits and not row.code.empty() ? row.code : row.name;
 }
 
-/// What the table alone says of these 16 bits: `50.0 Hz`, `13 s`, `-1500 rpm`; bits in hexadecimal; codes and addresses
-/// as numbers.
+/// What the table alone says of these 16 bits: `50.0 Hz`, `13 s`, `-1500 rpm`; bits, bytes and characters in
+/// hexadecimal; codes and addresses as numbers.
 constexpr void write_value(text_writer& out, register_row const& row, std::uint16_t raw) noexcept
 {
-    if (row.type == raw_type::bits) {
+    if (row.type == raw_type::bits or row.type == raw_type::two_bytes or row.type == raw_type::text) {
         out.hex(raw);
     } else {
         write_quantity(out, {row.number(raw), row.exponent}, row.unit);

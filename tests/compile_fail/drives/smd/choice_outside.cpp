@@ -1,0 +1,13 @@
+// EXPECT: the_value_is_none_of_those_that_the_register_takes
+#include <drivecodec/drives/smd/parameters.hpp>
+#include <drivecodec/modbus/rtu/adu.hpp>
+
+using namespace drivecodec;
+using namespace drivecodec::literals;
+namespace rtu = modbus::rtu;
+
+#ifdef OK
+constexpr auto no = smd::C14<smd::pv400>.write(smd::operating_mode::linear_with_auto_boost);
+#else
+constexpr auto no = smd::C14<smd::pv400>.write(smd::operating_mode{4});
+#endif
