@@ -58,6 +58,12 @@ awk '$1 ~ /^measured_(decode|check)_parameter_/ {
          ++found
      }
      END { exit found != 2 }' "$work/instructions" >>"$lines"
+sh bench/check_instructions.sh "$bench/bench.drives.smd.instructions" >"$work/instructions"
+awk '$1 == "measured_decode_status_block" {
+         printf "smd, decode the status block|%d instructions|at most 60|%s\n", $2, $2 <= 60 ? "ok" : "MISSED"
+         found = 1
+     }
+     END { exit !found }' "$work/instructions" >>"$lines"
 
 #=== times ===#
 
@@ -126,6 +132,6 @@ cat "$work/judged" >>"$lines"
 
 awk -F'|' '{ printf "%-72s %12s   %-20s %s\n", $1, $2, $3, $4; missed += $4 == "MISSED" }
     END {
-        if (NR < 47) { print "figures are missing"; exit 1 }
+        if (NR < 48) { print "figures are missing"; exit 1 }
         if (missed) { print missed " missed"; exit 1 }
     }' "$lines"
