@@ -35,9 +35,9 @@ constexpr std::array<printed_row, 12> printed{{
 
 TEST(smd_control_mode, has_the_three_sources_of_the_manual)
 {
-    for (std::uint16_t number = 0; number < printed.size(); ++number) {
+    for (std::size_t number = 0; number < printed.size(); ++number) {
         auto const& row  = printed[number];
-        auto const  mode = control_mode{number};
+        auto const  mode = static_cast<control_mode>(number);
         EXPECT_EQ(mode, row.mode);
         EXPECT_EQ(*setpoint_source_of(mode), row.speed) << number;
         EXPECT_EQ(*control_source_of(mode), row.start_and_stop) << number;
@@ -68,7 +68,7 @@ TEST(smd_control_mode, that_is_unknown_has_no_sources)
         auto const no   = error{errc::bad_value, 0};
         ASSERT_TRUE(setpoint_source_of(mode) == no and control_source_of(mode) == no and program_source_of(mode) == no);
     }
-    for (std::uint16_t number = 0; number < control_mode_codes.size(); ++number) {
+    for (std::size_t number = 0; number < control_mode_codes.size(); ++number) {
         EXPECT_EQ(control_mode_codes[number], number);
     }
 }

@@ -49,7 +49,7 @@ TEST(smd_register_number, is_the_same_from_each_numbering)
         EXPECT_EQ(register_number::make_from_reference(one->input_reference()), one);
     }
     VERIFY(register_number::from_reference(30025) == register_number::from_reference(40025));
-    VERIFY(register_number::from_smd(24) < register_number::from_smd(25));
+    VERIFY(not(register_number::from_smd(24) == register_number::from_smd(25)));
 }
 
 TEST(smd_register_number, of_any_other_number_is_refused)

@@ -46,6 +46,8 @@ TEST(smd_manual, calls_a_command_speed_of_0201_hexadecimal_51_3_hertz_and_a_load
 TEST(smd_status_block, has_each_thing_in_its_own_byte)
 {
     VERIFY(decoded({0, 0, 0, 0, 0, 0}) == status_block{});
+    VERIFY(status_block{}.command_speed.exponent == -1 and status_block{}.actual_speed.exponent == -1);
+    VERIFY(status_block{}.load.exponent == 0);
     VERIFY(decoded({2400, 0, 0, 0, 0, 0}) == status_block{.command_speed = 240.0_Hz});
     VERIFY(decoded({0, 2400, 0, 0, 0, 0}) == status_block{.actual_speed = 240.0_Hz});
     VERIFY(decoded({0, 0, 0x0100, 0, 0, 0}) == status_block{.load = 1_percent});

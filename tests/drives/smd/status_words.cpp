@@ -31,6 +31,22 @@ TEST(smd_manual, numbers_operational_states_above_7_that_a_bit_of_the_byte_could
     VERIFY(static_cast<int>(operational_status::inhibit) == 0x0D);
 }
 
+TEST(smd_status_words, change_one_byte_and_leave_the_other)
+{
+    constexpr auto load      = load_and_status::from_raw(0xFFFF);
+    constexpr auto mode      = direction_and_mode::from_raw(0xFFFF);
+    constexpr auto reference = source_and_reference::from_raw(0xFFFF);
+    constexpr auto trip      = fault_and_direction::from_raw(0xFFFF);
+    VERIFY(load.with(load_and_status::load_byte, 0).raw == 0x00FF);
+    VERIFY(load.with(load_and_status::operational_status, operational_status::fault_lockout).raw == 0xFF00);
+    VERIFY(mode.with(direction_and_mode::actual_direction, direction::forward).raw == 0x00FF);
+    VERIFY(mode.with(direction_and_mode::control_mode, control_mode::analog_terminal_keypad).raw == 0xFF00);
+    VERIFY(reference.with(source_and_reference::speed_source, speed_source::analog).raw == 0x00FF);
+    VERIFY(reference.with(source_and_reference::speed_reference, speed_reference::serial).raw == 0xFF00);
+    VERIFY(trip.with(fault_and_direction::fault, fault::no_fault).raw == 0x00FF);
+    VERIFY(trip.with(fault_and_direction::commanded_direction, direction::forward).raw == 0xFF00);
+}
+
 TEST(smd_status_words, keep_every_byte)
 {
     for (unsigned raw = 0; raw <= 0xFFFF; ++raw) {

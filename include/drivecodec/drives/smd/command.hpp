@@ -75,12 +75,4 @@ struct not_one_command {
     return raw;
 }
 
-/// The word of a command that is known only at run time. Errors: those of `decode_command`, for what was cast to one.
-[[nodiscard]] constexpr result<std::uint16_t, not_one_command> make_control_word(command only) noexcept
-{
-    auto const raw = static_cast<std::uint16_t>(only);
-    if (auto const decoded = decode_command(raw); not decoded) { return decoded.error(); }
-    return raw;
-}
-
 }  // namespace drivecodec::smd

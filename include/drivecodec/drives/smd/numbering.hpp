@@ -3,8 +3,6 @@
 
 #include <drivecodec/core/result.hpp>
 
-#include <compare>
-
 // How registers are numbered. smd manual, section 2.3 C, and section 7, which writes 4xxxx only.
 
 namespace drivecodec::smd {
@@ -74,7 +72,7 @@ public:
     [[nodiscard]] constexpr std::uint16_t holding_reference() const noexcept { return counted_from(first_holding); }
     [[nodiscard]] constexpr std::uint16_t input_reference() const noexcept { return counted_from(first_input); }
 
-    friend constexpr auto operator<=>(register_number, register_number) noexcept = default;
+    friend constexpr bool operator==(register_number, register_number) noexcept = default;
 
 private:
     static constexpr std::uint16_t first_holding = 40001;

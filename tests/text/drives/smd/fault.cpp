@@ -56,9 +56,10 @@ std::string text_of(unsigned code)
 
 TEST(text_smd_fault, has_the_manual_s_number_name_and_display)
 {
-    for (std::uint16_t number = 0; number < printed.size(); ++number) {
-        EXPECT_EQ(to_string(fault{number}), printed[number].name);
-        EXPECT_EQ(display_text(fault{number}), printed[number].display);
+    for (std::size_t number = 0; number < printed.size(); ++number) {
+        auto const code = static_cast<fault>(number);
+        EXPECT_EQ(to_string(code), printed[number].name);
+        EXPECT_EQ(display_text(code), printed[number].display);
     }
     EXPECT_EQ(names_of_all_values<fault>().size(), printed.size());
     VERIFY(display_text(fault::communication_fault) == "FC3" and to_string(fault{24}) == "communication_fault");
