@@ -7,6 +7,7 @@
 namespace {
 
 using drivecodec::find_row;
+using drivecodec::find_word;
 using drivecodec::strictly_ascending;
 
 struct row {
@@ -64,6 +65,38 @@ TEST(find_row, works_for_every_size)
     expect_found_in_a_table_of<4>();
     expect_found_in_a_table_of<16>();
     expect_found_in_a_table_of<33>();
+}
+
+struct shared_words {
+    std::string_view code;
+    std::string_view name;
+};
+constexpr std::array<shared_words, 5> words{
+    {{"A", "first"}, {"B", "second"}, {"C", "second"}, {"", "fourth"}, {"same", "same"}}};
+
+TEST(find_word, finds_the_row_that_has_it_in_any_of_the_keys)
+{
+    VERIFY(find_word(words, "A", &shared_words::code, &shared_words::name) == &words[0]);
+    VERIFY(find_word(words, "first", &shared_words::code, &shared_words::name) == &words[0]);
+    VERIFY(find_word(words, "fourth", &shared_words::code, &shared_words::name) == &words[3]);
+    VERIFY(find_word(words, "first", &shared_words::code) == nullptr);
+    VERIFY(find_word(words, "same", &shared_words::code, &shared_words::name) == &words[4]);  // in one row: no doubt
+}
+
+TEST(find_word, finds_none_of_several)
+{
+    VERIFY(find_word(words, "second", &shared_words::code, &shared_words::name) == nullptr);
+    VERIFY(
+        find_word(std::array<shared_words, 2>{{{"A", "B"}, {"B", "A"}}}, "A", &shared_words::code, &shared_words::name)
+        == nullptr);
+}
+
+TEST(find_word, finds_nothing_else)
+{
+    VERIFY(find_word(words, "", &shared_words::code, &shared_words::name) == nullptr);
+    VERIFY(find_word(words, "a", &shared_words::code, &shared_words::name) == nullptr);
+    VERIFY(find_word(words, "firs", &shared_words::code, &shared_words::name) == nullptr);
+    VERIFY(find_word(std::array<shared_words, 0>{}, "A", &shared_words::code) == nullptr);
 }
 
 }  // namespace

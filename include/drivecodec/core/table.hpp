@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
+#include <string_view>
 #include <type_traits>
 
 namespace drivecodec {
@@ -36,6 +38,22 @@ template <typename Row, std::size_t N, typename Key>
         }
     }
     return nullptr;
+}
+
+/// The one row of which one of `keys` is `word`, or nullptr: also for an empty word, and for one that several rows have,
+/// so that none of them is taken for another.
+template <typename Row, std::size_t N, std::same_as<std::string_view Row::*>... Keys>
+[[nodiscard]] constexpr Row const* find_word(std::array<Row, N> const& rows, std::string_view word,
+                                             Keys... keys) noexcept
+{
+    Row const* found = nullptr;
+    if (word.empty()) { return found; }
+    for (auto const& row : rows) {
+        if (((row.*keys != word) and ...)) { continue; }
+        if (found != nullptr) { return nullptr; }
+        found = &row;
+    }
+    return found;
 }
 
 }  // namespace drivecodec

@@ -2,22 +2,11 @@
 #pragma once
 
 #include <drivecodec/drives/register_row.hpp>
+#include <drivecodec/drives/value.hpp>
 #include <drivecodec/modbus/functions/read_registers.hpp>
 #include <drivecodec/modbus/functions/write_single_register.hpp>
 
-#include <concepts>
-
 namespace drivecodec::drives {
-
-namespace compile_error {
-// Declared, never defined, not constexpr: calling one is how a consteval function says no. Its name is the text.
-void this_register_is_read_only();
-void this_register_is_write_only();
-void the_value_has_more_digits_than_the_register_can_hold();
-void the_value_is_none_of_those_that_the_register_takes();
-template <int Min, int Max, int Exponent>
-void the_value_must_be_between_min_and_max_times_ten_to_the_exponent();
-}  // namespace compile_error
 
 /// One register of a drive, by name: reads and writes it as what it is.
 ///
@@ -35,8 +24,7 @@ struct basic_holding_register {
     using value_type = Value;
     using request    = modbus::write_single_register::request;
 
-    static constexpr bool takes_every_value =
-        row.is_writable() and row.type == raw_type::bits and requires(Value wanted) { wanted.raw; };
+    static constexpr bool takes_every_value = row.is_writable() and row.type == raw_type::bits and is_word<Value>;
 
     [[nodiscard]] static constexpr std::uint16_t address() noexcept { return Address; }
 
@@ -49,21 +37,13 @@ struct basic_holding_register {
     /// What these 16 bits mean. Every word means something: unknown codes and bits survive.
     [[nodiscard]] static constexpr Value value(std::uint16_t raw) noexcept
     {
-        if constexpr (is_number) {
-            return {row.number(raw), Exponent};
-        } else if constexpr (std::integral<Value>) {
-            return static_cast<Value>(row.number(raw));
-        } else if constexpr (std::is_enum_v<Value>) {
-            return static_cast<Value>(raw);
-        } else {
-            return Value::from_raw(raw);
-        }
+        return value_of<Value>(row.number(raw), Exponent);
     }
 
     /// The 16 bits of a value. Errors, at 0: `inexact`, `out_of_range`.
     [[nodiscard]] static constexpr result<std::uint16_t> raw(Value wanted) noexcept
     {
-        auto const number = number_of(wanted);
+        auto const number = number_of(wanted, Exponent);
         if (not number) { return number.error(); }
         if (auto const fault = row.check(*number); not fault.ok()) { return fault; }
         return static_cast<std::uint16_t>(*number);
@@ -73,7 +53,7 @@ struct basic_holding_register {
 
     [[nodiscard]] static consteval typename Read::request read()
     {
-        if (not row.is_readable()) { compile_error::this_register_is_write_only(); }
+        require_readable<row.access>();
         return {.range = {Address, 1}};
     }
 
@@ -88,13 +68,13 @@ struct basic_holding_register {
     [[nodiscard]] static consteval request write(Value wanted)
         requires(not takes_every_value)
     {
-        if (not row.is_writable()) { compile_error::this_register_is_read_only(); }
+        require_writable<row.access>();
         auto const bits = raw(wanted);
         if (not bits and bits.error().code() == errc::inexact) {
-            compile_error::the_value_has_more_digits_than_the_register_can_hold();
+            compile_error::the_value_has_more_digits_than_the_register_or_parameter_can_hold();
         }
         if (not bits and not row.choices.empty()) {
-            compile_error::the_value_is_none_of_those_that_the_register_takes();
+            compile_error::the_value_is_none_of_those_that_the_register_or_parameter_takes();
         }
         if (not bits) {
             compile_error::the_value_must_be_between_min_and_max_times_ten_to_the_exponent<row.limits.min,
@@ -110,20 +90,6 @@ struct basic_holding_register {
         auto const bits = raw(wanted);
         if (not bits) { return bits.error(); }
         return request{.address = Address, .value = *bits};
-    }
-
-private:
-    static constexpr bool is_number = requires(Value wanted) { wanted.scaled_to(0); };
-
-    [[nodiscard]] static constexpr result<std::int32_t> number_of(Value wanted) noexcept
-    {
-        if constexpr (is_number) {
-            return wanted.scaled_to(Exponent);
-        } else if constexpr (requires { wanted.raw; }) {
-            return std::int32_t{wanted.raw};
-        } else {
-            return static_cast<std::int32_t>(wanted);
-        }
     }
 };
 

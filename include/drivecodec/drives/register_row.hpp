@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/core/quantity.hpp>
 #include <drivecodec/core/table.hpp>
+#include <drivecodec/drives/value.hpp>
 
 #include <span>
 #include <string_view>
 
 namespace drivecodec::drives {
-
-enum class access : std::uint8_t {
-    read_only,
-    read_write,
-    read_write_at_standstill,  ///< Refused while the motor has power.
-    write_only,
-};
 
 /// How the 16 bits of a register are to be read.
 enum class raw_type : std::uint8_t {
@@ -27,7 +20,9 @@ enum class raw_type : std::uint8_t {
     text,       ///< ASCII, two characters a register.
 };
 
-/// Where a fact is from.
+/// Where a fact is from: of limits and factory settings, which stand there in any case. (A drive with one manual, in
+/// which most is not printed, has nothing there instead: `vlt6000::stated`. The checks of the one need no question, the
+/// rows of the other no numbers.)
 enum class source : std::uint8_t {
     manual,        ///< The drive's own manual says it.
     sister_drive,  ///< Only the manual of a drive of the same make says it: unverified.
@@ -69,8 +64,8 @@ struct register_row {
     /// else.
     std::span<std::uint16_t const> choices{};
 
-    [[nodiscard]] constexpr bool is_readable() const noexcept { return access != drives::access::write_only; }
-    [[nodiscard]] constexpr bool is_writable() const noexcept { return access != drives::access::read_only; }
+    [[nodiscard]] constexpr bool is_readable() const noexcept { return drives::is_readable(access); }
+    [[nodiscard]] constexpr bool is_writable() const noexcept { return drives::is_writable(access); }
 
     /// The 16 bits as the number they stand for.
     [[nodiscard]] constexpr std::int32_t number(std::uint16_t raw) const noexcept
@@ -81,8 +76,7 @@ struct register_row {
     /// Is the number one that the register can have? Errors: `out_of_range` at 0.
     [[nodiscard]] constexpr error check(std::int32_t wanted) const noexcept
     {
-        auto is_choice = choices.empty();
-        for (auto const choice : choices) { is_choice = is_choice or choice == wanted; }
+        auto const is_choice = choices.empty() or is_one_of(choices, wanted);
         return wanted < limits.min or wanted > limits.max or not is_choice ? error{errc::out_of_range, 0} : error{};
     }
 
@@ -112,15 +106,11 @@ template <std::size_t N>
     return find_row(table, &register_row::address, address);
 }
 
-/// The register with this code, menu number or name, or nullptr.
+/// The one register with this code, menu number or name, or nullptr: also for a word that several have.
 template <std::size_t N>
 [[nodiscard]] constexpr register_row const* find(register_table<N> const& table, std::string_view word) noexcept
 {
-    if (word.empty()) { return nullptr; }
-    for (auto const& row : table) {
-        if (row.code == word or row.menu == word or row.name == word) { return &row; }
-    }
-    return nullptr;
+    return find_word(table, word, &register_row::code, &register_row::menu, &register_row::name);
 }
 
 /// Are these registers all there? Errors: `bad_address`; the offset is that of the first that is not, counted in

@@ -39,11 +39,8 @@ constexpr bool reads(register_row const& what, std::uint16_t raw, std::string_vi
 
 TEST(text_register_row, has_a_name_for_every_enumerator)
 {
-    EXPECT_EQ(names_of_all_values<drives::access>().size(), 4);
     EXPECT_EQ(names_of_all_values<raw_type>().size(), 7);
     EXPECT_EQ(names_of_all_values<source>().size(), 3);
-    VERIFY(to_string(drives::access::read_write_at_standstill) == "read_write_at_standstill");
-    VERIFY(to_string(drives::access::write_only) == "write_only");
     VERIFY(to_string(raw_type::register_address) == "register_address");
     VERIFY(to_string(raw_type::two_bytes) == "two_bytes" and to_string(raw_type::text) == "text");
     VERIFY(to_string(source::sister_drive) == "sister_drive");

@@ -39,10 +39,8 @@ template <parameter_code Code, version Version>
 struct value_of {
     using type = drives::number_in<table<Version>, located<Code, Version>::address>;
 };
-template <typename Value>
-struct value_is {
-    using type = Value;
-};
+using drives::value_is;
+
 // clang-format off
 template <version V> struct value_of<"C01", V> : value_is<control_mode> {};
 template <version V> struct value_of<"C02", V> : value_is<load_defaults> {};

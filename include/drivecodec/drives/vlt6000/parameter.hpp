@@ -1,37 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <drivecodec/drives/value.hpp>
 #include <drivecodec/drives/vlt6000/table.hpp>
 #include <drivecodec/drives/vlt6000/transfer.hpp>
 #include <drivecodec/fc/text_requests.hpp>
-
-#include <concepts>
 
 namespace drivecodec::vlt6000 {
 
 namespace compile_error {
 // Declared, never defined, not constexpr: calling one is how a consteval function says no. Its name is the text.
-void this_parameter_is_read_only();
-void this_parameter_is_set_at_the_control_panel_and_not_over_the_bus();
-void the_value_has_more_digits_than_the_parameter_can_hold();
-void the_value_is_outside_the_limits_of_the_parameter();
 void the_parameter_has_another_unit_or_one_that_is_to_be_said_in_its_as();
 template <int Most>
 void the_text_has_at_most_so_many_characters();
 }  // namespace compile_error
 
 namespace detail {
-
-/// Says why, in the compiler's text.
-template <access Access>
-consteval void refuse_to_write()
-{
-    if constexpr (Access == access::panel_only) {
-        compile_error::this_parameter_is_set_at_the_control_panel_and_not_over_the_bus();
-    } else {
-        compile_error::this_parameter_is_read_only();
-    }
-}
 
 template <unit Unit>
 consteval void refuse_unit()
@@ -55,7 +39,7 @@ struct basic_parameter {
 
     static_assert(row.kind != kind::text, "a text is a text_parameter");
 
-    static constexpr bool is_quantity = requires(Value wanted) { wanted.scaled_to(0); };
+    static constexpr bool is_quantity = drives::is_quantity<Value>;
 
 private:
     static constexpr auto stated_index = row.conversion_index ? stated<int>{*row.conversion_index} : stated<int>{};
@@ -111,20 +95,16 @@ public:
             static_assert(How.conversion_index.is_known, "the manual does not state the conversion index: say it, "
                                                          "parameter.as<fc::data_type::..., conversion index>");
         }
-        if constexpr (is_word) {
+        if constexpr (drives::is_word<Value>) {
             auto const bits = bits_in(given, 8 * sizeof(Value));
             if (not bits) { return bits.error(); }
             return Value::from_raw(static_cast<typename Value::raw_type>(*bits));
         } else {
             auto const found = number_in(given, How);
             if (not found) { return found.error(); }
-            if constexpr (is_quantity) {
-                return Value{*found, exponent};
-            } else {
-                constexpr auto is_code = not std::same_as<Value, std::int32_t>;
-                if (is_code and (*found < 0 or *found > 0xFFFF)) { return error{errc::out_of_range, 0}; }
-                return static_cast<Value>(*found);
-            }
+            constexpr auto is_code = not is_quantity and not std::same_as<Value, std::int32_t>;
+            if (is_code and (*found < 0 or *found > 0xFFFF)) { return error{errc::out_of_range, 0}; }
+            return drives::value_of<Value>(*found, exponent);
         }
     }
 
@@ -144,14 +124,15 @@ public:
 
         consteval constant(Value wanted)
         {
-            if constexpr (not row.is_writable()) {
-                detail::refuse_to_write<row.access>();
-            } else {
+            drives::require_writable<row.access>();
+            if constexpr (row.is_writable()) {
                 auto const given = pwe_of(wanted);
                 if (not given and given.error().code() == errc::inexact) {
-                    compile_error::the_value_has_more_digits_than_the_parameter_can_hold();
+                    drives::compile_error::the_value_has_more_digits_than_the_register_or_parameter_can_hold();
                 }
-                if (not given) { compile_error::the_value_is_outside_the_limits_of_the_parameter(); }
+                if (not given) {
+                    drives::compile_error::the_value_is_outside_the_limits_of_the_register_or_parameter();
+                }
                 pwe = *given;
             }
         }
@@ -177,7 +158,6 @@ public:
     }
 
 private:
-    static constexpr bool is_word  = requires(Value wanted) { wanted.raw; };
     static constexpr auto exponent = static_cast<std::int8_t>(How.conversion_index.value + row.unit_prefix);
     static constexpr auto pnu      = *fc::parameter_number::make(Number);
 
@@ -189,15 +169,12 @@ private:
         if constexpr (is_quantity) {
             static_assert(How.conversion_index.is_known, "the manual does not state the conversion index: say it, "
                                                          "parameter.as<fc::data_type::..., conversion index>");
-            auto const number = wanted.scaled_to(exponent);
-            if (not number) { return number.error(); }
-            if (auto const fault = row.check(wanted.value()); not fault.ok()) { return fault; }
-            return pwe_for(*number, How);
-        } else {
-            auto const number = static_cast<std::int32_t>(wanted);
-            if (auto const fault = row.check({number, 0}); not fault.ok()) { return fault; }
-            return pwe_for(number, How);
         }
+        auto const number = drives::number_of(wanted, exponent);
+        if (not number) { return number.error(); }
+        constexpr auto digits = is_quantity ? exponent : std::int8_t{0};
+        if (auto const fault = row.check({*number, digits}); not fault.ok()) { return fault; }
+        return pwe_for(*number, How);
     }
 
     [[nodiscard]] static constexpr request made(std::uint32_t pwe, fc::storage where,
@@ -227,9 +204,8 @@ struct text_parameter {
     template <std::size_t Size>
     [[nodiscard]] static consteval auto write(char const (&text)[Size], fc::process_command process)
     {
-        if constexpr (not row.is_writable()) {
-            detail::refuse_to_write<row.access>();
-        } else if (Size - 1 > row.max_text_length) {
+        drives::require_writable<row.access>();
+        if (Size - 1 > row.max_text_length) {
             compile_error::the_text_has_at_most_so_many_characters<int{row.max_text_length}>();
         }
         return fc::write_text(pnu, text, process);

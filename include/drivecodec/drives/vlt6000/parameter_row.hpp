@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <drivecodec/core/quantity.hpp>
+#include <drivecodec/drives/value.hpp>
 #include <drivecodec/fc/data_type.hpp>
 
 #include <span>
@@ -9,14 +9,10 @@
 
 namespace drivecodec::vlt6000 {
 
-/// What the serial line may do with a parameter, as far as the manual says it.
-enum class access : std::uint8_t {
-    unknown,     ///< The manual names the parameter, and no more. The drive knows.
-    read_only,   ///< Read out: to a write, expect error 1, no write access.
-    read_write,  ///< A setting of the serial line itself, or one that an example or a sentence writes.
-    write_only,  ///< It is there to be written; whether it can be read, the manual does not say.
-    panel_only,  ///< Set at the control panel (LCP) alone: to a write, expect error 130, no bus access.
-};
+/// To a write of what is read only, expect error 1, no write access; of what is set at the control panel (LCP) alone,
+/// error 130, no bus access. Read and written are the settings of the serial line itself, and what an example or a
+/// sentence writes; whether what is there to be written can be read, the manual does not say.
+using drives::access;
 
 /// What the value of a parameter is.
 enum class kind : std::uint8_t {
@@ -86,10 +82,7 @@ struct parameter_row {
     //=== questions ===//
 
     /// False only if the manual says no. Of what is unknown, the drive's reply tells.
-    [[nodiscard]] constexpr bool is_writable() const noexcept
-    {
-        return access != access::read_only and access != access::panel_only;
-    }
+    [[nodiscard]] constexpr bool is_writable() const noexcept { return drives::is_writable(access); }
 
     /// What a transferred number stands for, in `unit`: 1000 in parameter 202 is 100.0 Hz.
     /// Precondition: conversion_index.is_known.
@@ -102,8 +95,7 @@ struct parameter_row {
     /// 0; also for every number if the value is a text.
     [[nodiscard]] constexpr error check(decimal wanted) const noexcept
     {
-        auto is_choice = choices.empty() or has_other_choices;
-        for (auto const choice : choices) { is_choice = is_choice or decimal{choice, 0} == wanted; }
+        auto const is_choice = choices.empty() or has_other_choices or drives::is_one_of(choices, wanted);
         auto const is_inside = not limits or (wanted >= limits.value.min and wanted <= limits.value.max);
         return kind != kind::text and is_choice and is_inside ? error{} : error{errc::out_of_range, 0};
     }

@@ -32,10 +32,8 @@ struct value_of {
         std::conditional_t<is_code, std::uint16_t, std::conditional_t<is_counted, std::int32_t, quantity<row.unit>>>;
 };
 
-template <typename Value>
-struct value_is {
-    using type = Value;
-};
+using drives::value_is;
+
 // clang-format off
 template <> struct value_of<1>   : value_is<language> {};
 template <> struct value_of<7>   : value_is<large_display_read_out> {};

@@ -12,7 +12,7 @@ namespace drivecodec::vlt6000 {
 namespace detail {
 
 using fc::width;
-using enum vlt6000::access;
+using enum drives::access;
 
 [[nodiscard]] consteval value_limits from_to(int min, int max)
 {
@@ -235,14 +235,7 @@ static_assert(strictly_ascending(table, &parameter_row::number));
 /// that several have, as nameplate_data.
 [[nodiscard]] constexpr parameter_row const* find(std::string_view word) noexcept
 {
-    parameter_row const* found = nullptr;
-    if (word.empty()) { return found; }
-    for (auto const& row : table) {
-        if (row.name != word and row.display_text != word) { continue; }
-        if (found != nullptr) { return nullptr; }
-        found = &row;
-    }
-    return found;
+    return find_word(table, word, &parameter_row::name, &parameter_row::display_text);
 }
 
 }  // namespace drivecodec::vlt6000

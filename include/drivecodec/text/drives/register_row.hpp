@@ -2,22 +2,12 @@
 #pragma once
 
 #include <drivecodec/drives/register_row.hpp>
+#include <drivecodec/text/drives/access.hpp>
 #include <drivecodec/text/quantity.hpp>
 
 namespace drivecodec::drives {
 
 // An enumerator's own name; empty for a value without one.
-
-[[nodiscard]] constexpr std::string_view to_string(access may) noexcept
-{
-    switch (may) {
-    case access::read_only: return "read_only";
-    case access::read_write: return "read_write";
-    case access::read_write_at_standstill: return "read_write_at_standstill";
-    case access::write_only: return "write_only";
-    }
-    return {};
-}
 
 [[nodiscard]] constexpr std::string_view to_string(raw_type type) noexcept
 {

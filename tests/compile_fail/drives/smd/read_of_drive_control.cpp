@@ -1,4 +1,4 @@
-// EXPECT: this_register_is_write_only
+// EXPECT: this_register_or_parameter_is_write_only
 #include <drivecodec/drives/smd/parameters.hpp>
 #include <drivecodec/modbus/rtu/adu.hpp>
 

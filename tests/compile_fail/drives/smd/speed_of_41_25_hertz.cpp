@@ -1,4 +1,4 @@
-// EXPECT: the_value_has_more_digits_than_the_register_can_hold
+// EXPECT: the_value_has_more_digits_than_the_register_or_parameter_can_hold
 #include <drivecodec/drives/smd/parameters.hpp>
 #include <drivecodec/modbus/rtu/adu.hpp>
 

@@ -1,4 +1,4 @@
-// EXPECT: the_value_is_none_of_those_that_the_register_takes
+// EXPECT: the_value_is_none_of_those_that_the_register_or_parameter_takes
 #include <drivecodec/drives/smd/parameters.hpp>
 #include <drivecodec/modbus/rtu/adu.hpp>
 

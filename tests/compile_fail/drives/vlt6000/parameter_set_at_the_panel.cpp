@@ -1,4 +1,4 @@
-// EXPECT: this_parameter_is_set_at_the_control_panel_and_not_over_the_bus
+// EXPECT: this_register_or_parameter_is_set_at_the_panel_and_not_over_the_bus
 #include <drivecodec/vlt6000.hpp>
 
 using namespace drivecodec;

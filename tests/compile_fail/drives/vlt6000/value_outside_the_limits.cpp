@@ -1,4 +1,4 @@
-// EXPECT: the_value_is_outside_the_limits_of_the_parameter
+// EXPECT: the_value_is_outside_the_limits_of_the_register_or_parameter
 #include <drivecodec/vlt6000.hpp>
 
 using namespace drivecodec;

@@ -1,4 +1,4 @@
-// EXPECT: this_register_is_read_only
+// EXPECT: this_register_or_parameter_is_read_only
 #include <drivecodec/xd1000.hpp>
 
 using namespace drivecodec;

@@ -10,7 +10,6 @@
 namespace {
 
 using namespace drivecodec;
-using vlt6000::access;
 using vlt6000::find;
 using vlt6000::kind;
 
@@ -24,12 +23,7 @@ constexpr bool reads(vlt6000::parameter_row const& row, std::uint32_t transferre
 
 TEST(text_vlt6000_parameter_row, has_a_name_for_every_enumerator)
 {
-    EXPECT_EQ(names_of_all_values<access>(),
-              (std::set<std::string_view>{"unknown", "read_only", "read_write", "write_only", "panel_only"}));
     EXPECT_EQ(names_of_all_values<kind>(), (std::set<std::string_view>{"unknown", "number", "choice", "bits", "text"}));
-    VERIFY(to_string(access::unknown) == "unknown" and to_string(access::read_only) == "read_only");
-    VERIFY(to_string(access::read_write) == "read_write" and to_string(access::write_only) == "write_only");
-    VERIFY(to_string(access::panel_only) == "panel_only");
     VERIFY(to_string(kind::unknown) == "unknown" and to_string(kind::number) == "number");
     VERIFY(to_string(kind::choice) == "choice" and to_string(kind::bits) == "bits");
     VERIFY(to_string(kind::text) == "text");

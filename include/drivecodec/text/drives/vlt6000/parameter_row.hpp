@@ -2,6 +2,7 @@
 #pragma once
 
 #include <drivecodec/drives/vlt6000/parameter_row.hpp>
+#include <drivecodec/text/drives/access.hpp>
 #include <drivecodec/text/quantity.hpp>
 
 #include <utility>
@@ -9,18 +10,6 @@
 namespace drivecodec::vlt6000 {
 
 // An enumerator's own name; empty for a value without one.
-
-[[nodiscard]] constexpr std::string_view to_string(access may) noexcept
-{
-    switch (may) {
-    case access::unknown: return "unknown";
-    case access::read_only: return "read_only";
-    case access::read_write: return "read_write";
-    case access::write_only: return "write_only";
-    case access::panel_only: return "panel_only";
-    }
-    return {};
-}
 
 [[nodiscard]] constexpr std::string_view to_string(kind what) noexcept
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <drivecodec/drives/vlt6000/parameters.hpp>
+#include <drivecodec/text/drives/code.hpp>
 #include <drivecodec/text/drives/vlt6000/choices.hpp>
 #include <drivecodec/text/drives/vlt6000/digital_inputs.hpp>
 #include <drivecodec/text/drives/vlt6000/parameter_row.hpp>
@@ -31,11 +32,10 @@ template <int Number>
     using value_type = typename decltype(parameter<Number>)::value_type;
     if (given.number != Number) { return false; }
     if constexpr (std::is_enum_v<value_type>) {
-        auto const name = given.pwe > 0xFFFF ? std::string_view{} : to_string(static_cast<value_type>(given.pwe));
-        if (name.empty()) {
+        if (given.pwe > 0xFFFF) {
             out.decimal(given.pwe);
         } else {
-            out.put(name);
+            drives::write_code(out, static_cast<value_type>(given.pwe));
         }
         return true;
     } else {
