@@ -43,8 +43,8 @@ public:
         return from_checked(first, count);
     }
 
-    /// Errors: `bad_quantity` at 2, where it is on the wire. With which exception the drive answers, the manual does not
-    /// say.
+    /// Errors: `bad_quantity` at 2, where it is on the wire. With which exception the drive answers, the manual does
+    /// not say.
     [[nodiscard]] static constexpr error check(std::uint16_t first, std::uint16_t count) noexcept
     {
         auto const is_status = first == status_block::address and count == status_block::word_count;

@@ -78,7 +78,8 @@ inline constexpr network_address factory_address{1};
     return baud_rate >> number;
 }
 
-/// Does all of the manual say that this version has this format? Section 2.3 has 8N1 of PV507 only; section 6.2 of both.
+/// Does all of the manual say that this version has this format? Section 2.3 has 8N1 of PV507 only; section 6.2 of
+/// both.
 [[nodiscard]] constexpr bool is_undisputed(serial_format code, version which) noexcept
 {
     return code != serial_format::format_8n1 or which == pv507;
@@ -105,8 +106,8 @@ struct link_settings {
 /// n23 as a drive leaves the factory: "may be too restrictive", for not even one poll of the status fits into its half.
 inline constexpr quantity<unit::second> factory_fault_time{50, -3};
 
-/// What one read of the drive status takes on the line, in microseconds: request, response and a silence after each, and
-/// not the time in which the drive thinks.
+/// What one read of the drive status takes on the line, in microseconds: request, response and a silence after each,
+/// and not the time in which the drive thinks.
 [[nodiscard]] constexpr std::uint32_t status_poll_time(modbus::rtu::timing line) noexcept
 {
     using response        = read_holding_registers::basic_response<modbus::register_array<status_block::word_count>>;
@@ -115,8 +116,8 @@ inline constexpr quantity<unit::second> factory_fault_time{50, -3};
     return line.frame_time(characters) + 2 * line.inter_frame();
 }
 
-/// The manual's advice: talk to the drive at less than half of n23. In microseconds. Errors, at 0, for what n23 does not
-/// take: `inexact`, `out_of_range`.
+/// The manual's advice: talk to the drive at less than half of n23. In microseconds. Errors, at 0, for what n23 does
+/// not take: `inexact`, `out_of_range`.
 [[nodiscard]] constexpr result<std::uint32_t> advised_interval(quantity<unit::second> fault_time) noexcept
 {
     auto const milliseconds = n23<pv507>.raw(fault_time);

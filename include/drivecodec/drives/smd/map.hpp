@@ -70,8 +70,8 @@ class map {
 public:
     constexpr map(smd::version which) noexcept : version_{which} {}
 
-    /// Of what the drive has in register 50. Errors: `bad_value` at 0 for a version that the manual does not have: there
-    /// is no map then, and nothing must be written to that drive.
+    /// Of what the drive has in register 50. Errors: `bad_value` at 0 for a version that the manual does not have:
+    /// there is no map then, and nothing must be written to that drive.
     [[nodiscard]] static constexpr result<map> make(std::uint16_t register_50) noexcept
     {
         auto const which = make_version(register_50);
@@ -94,8 +94,8 @@ public:
 
     //=== requests. Errors are of the register, at 0: `bad_address` if the version lacks it ===//
 
-    /// All that can be read there at once may be asked for, or one register. Errors: `bad_quantity` for any other count;
-    /// `bad_address` also for a register that can only be written.
+    /// All that can be read there at once may be asked for, or one register. Errors: `bad_quantity` for any other
+    /// count; `bad_address` also for a register that can only be written.
     [[nodiscard]] constexpr result<read_holding_registers::request> make_read(std::uint16_t address,
                                                                               std::uint16_t count = 1) const noexcept
     {

@@ -110,17 +110,18 @@ struct place {
 /// Every register of the drive in the order of the manual, which is that of the addresses in both versions. smd manual,
 /// table 6 and section 6.2. Names and codes are the manual's; codes are case sensitive: C01 is not c01.
 ///
-/// Worth a second look: C11 is printed "Minimum Output Freq." too; it is the maximum, as table 6 says of register 40. The
-/// limits of register 40 are what C10 and C11 are set to at the time, those of C59, c38 and c81 what c86 and c87 are set
-/// to: here stand those of the output frequency, and none. Registers 48 and 49 take a password; c78 and c79 have no unit.
+/// Worth a second look: C11 is printed "Minimum Output Freq." too; it is the maximum, as table 6 says of register 40.
+/// The limits of register 40 are what C10 and C11 are set to at the time, those of C59, c38 and c81 what c86 and c87
+/// are set to: here stand those of the output frequency, and none. Registers 48 and 49 take a password; c78 and c79
+/// have no unit.
 // clang-format off
 inline constexpr std::array<versioned_row, 82> rows = [] {
     using namespace detail;
     using enum unit;
     constexpr auto or_less = [](int last) { return raw_limits{0, last, manual}; };
     return std::array{
-        place{1}.row({0, "drive_control", "", "", bits, 0, none, manual, or_less(0x0200), no_default, write_only, manual,
-                      command_codes}),
+        place{1}.row({0, "drive_control", "", "", bits, 0, none, manual, or_less(0x0200), no_default, write_only,
+                      manual, command_codes}),
         word_of(enumeration, "", 19, "drive_family",   read_only),
         read_out("", 21, "drive_size", 0, none, 0, 0),
         word_of(bits,        "", 22, "drive_hardware", read_only),
