@@ -36,8 +36,9 @@ The end of a line is a silence of the bus. A response is read in the light of th
     --request-first  the first FC telegram in hexadecimal is a request; live a silence of --timeout tells that. Until
                      something tells who speaks, telegrams are `to or from` a slave, and --drive explains little
     --json           one JSON object a line
-    --drive D        xd1000 or vlt6000: names the registers or parameters of this drive and explains their values, in
-                     JSON as `meaning`; vlt6000 has the FC protocol
+    --drive D        xd1000, vlt6000 or smd: names the registers or parameters of this drive and explains their values,
+                     in JSON as `meaning`; vlt6000 has the FC protocol; an smd has the parameters of PV507, until its
+                     register 50 is heard
     --pcd N          words of process data in an FC telegram, 2 (default) to 16
     --pnu-bits N     bits of an FC parameter number, 11 (default), or 12 as in newer drives
     --baud N         of the device (default 19200, for fc and for a vlt6000 9600)

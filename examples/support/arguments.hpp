@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <drivecodec/core/decimal.hpp>
 #include <drivecodec/modbus/rtu/timing.hpp>
 
 #include <cstdint>
@@ -16,6 +17,11 @@ namespace support {
 
 /// The user wrote something that the program does not understand; `what()` tells them.
 struct usage_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The command line was understood, but this value cannot be sent or shown so; `what()` tells the user why.
+struct value_error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
@@ -45,6 +51,13 @@ template <typename Number>
                         long long highest = std::numeric_limits<Number>::max())
 {
     return static_cast<Number>(to_number(word, lowest, highest));
+}
+
+[[nodiscard]] inline drivecodec::decimal to_decimal(std::string_view word)
+{
+    auto const value = drivecodec::parse_decimal(word);
+    if (not value) { throw value_error{"'" + std::string{word} + "' is not a number such as 41.2"}; }
+    return *value;
 }
 
 /// A register's value: 0 to 65535, or as a signed number -32768 to 32767.

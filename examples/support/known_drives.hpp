@@ -4,6 +4,7 @@
 #include "arguments.hpp"
 #include "fc_decoder.hpp"
 #include "modbus_decoder.hpp"
+#include "smd_traffic.hpp"
 #include "vlt6000_traffic.hpp"
 #include "xd1000_traffic.hpp"
 
@@ -45,11 +46,15 @@ inline constexpr std::array<known_drive, 3> known_drives{{
      .has_modbus     = false,
      .has_fc         = true,
      .make_explainer = [] { return drive_explainer{.fc = explain_vlt6000}; }},
-    {.name           = "smd",
-     .with_article   = "an smd",
-     .has_modbus     = true,
-     .has_fc         = false,
-     .make_explainer = [] { return drive_explainer{}; }},
+    {.name         = "smd",
+     .with_article = "an smd",
+     .has_modbus   = true,
+     .has_fc       = false,
+     .make_explainer =
+         [] {
+             return drive_explainer{
+                 .modbus = [traffic = smd_traffic{}](auto&&... frame) mutable { return traffic.explain(frame...); }};
+         }},
 }};
 
 /// Throws a usage_error that tells which there are.

@@ -27,6 +27,8 @@ namespace smd    = drivecodec::smd;
 ///   02 is also for reading what can only be written, and the other way round; 03 also for a wrong quantity and for a
 ///   word of register 1 without a command; while the drive is busy, everything is 06.
 /// - The motor stays as it is when the drive is locked by command, and coasts when C01 takes control from Modbus.
+/// - At a standstill the drive is off; it is inhibited with terminal 28 open and after that time-out until it is told to start or stop, and in stop after a
+///   quick stop.
 /// - A start with terminal 28 open, in fault or with another control source than Modbus is taken, and lost.
 /// - A ramp takes its time from standstill to C11. Only a quick stop ramps down, all other stops coast.
 /// - Loading defaults loads all of them, also C01: the drive then has no Modbus.
@@ -254,6 +256,7 @@ private:
             return possible.error().code() == drivecodec::errc::bad_address ? illegal_data_address : illegal_data_value;
         }
         refresh();
+        if (count == smd::software_version_words) { return modbus::register_view{software_version_.words}; }
         return modbus::register_view{std::span{values_}.subspan(first, count)};
     }
 
@@ -281,11 +284,17 @@ private:
         set<"c62">(static_cast<int>(last_faults_[0]));
         set<"c63">(static_cast<int>(last_faults_[1]));
         if (version() == smd::pv507) { set<"c38">(get<"c81">()); }
+        at(address_in_map<"C99">()) = software_version_.words.front();
+    }
+
+    /// Its words are no registers of their own: those have the numbers that follow.
+    [[nodiscard]] static modbus::register_array<smd::software_version_words> software_version_of(smd::version which)
+    {
         constexpr std::string_view in_pv400 = "SMD 1.51";
         constexpr std::string_view in_pv507 = "SMD 2.01";
         smd::software_version      text;
-        std::ranges::copy(version() == smd::pv400 ? in_pv400 : in_pv507, text.characters.begin());
-        std::ranges::copy(text.words().words, &at(address_in_map<"C99">()));
+        std::ranges::copy(which == smd::pv400 ? in_pv400 : in_pv507, text.characters.begin());
+        return text.words();
     }
 
     //=== writing ===//
@@ -492,6 +501,7 @@ private:
     {
         using enum smd::operational_status;
         if (fault_ != smd::fault::no_fault) { return fault; }
+        if (not is_terminal_28_closed_) { return inhibit; }
         if (not is_powered()) { return at_standstill_; }
         if (is_braking()) { return dc_brake; }
         auto const wanted = target();
@@ -510,25 +520,26 @@ private:
         return of_speed + (operational_status() == smd::operational_status::accel ? 20 : 0);
     }
 
-    smd::map                       map_;
-    smd::locks                     locks_;
-    smd::watchdog                  watchdog_;
-    std::array<std::uint16_t, 256> values_{};  // by address
-    std::array<smd::fault, 2>      last_faults_{};
-    std::array<bool, 3>            inputs_{};
-    smd::fault                     fault_ = smd::fault::no_fault;
-    seconds                        since_trip_{0};
-    double                         speed_               = 0;  // Hz, negative in reverse
-    double                         analog_              = 0;  // Hz
-    smd::operational_status        at_standstill_       = smd::operational_status::off;
-    smd::direction                 commanded_direction_ = smd::direction::forward;
-    smd::speed_reference           reference_           = smd::speed_reference::local;
-    std::uint8_t                   address_             = 0;
-    smd::serial_format             format_              = smd::serial_format::format_8n2;
-    bool                           is_terminal_28_closed_;
-    bool                           is_started_      = false;
-    bool                           is_ramping_down_ = false;  // after a time-out
-    bool                           is_busy_         = false;
+    smd::map                                            map_;
+    modbus::register_array<smd::software_version_words> software_version_ = software_version_of(map_.version());
+    smd::locks                                          locks_;
+    smd::watchdog                                       watchdog_;
+    std::array<std::uint16_t, 256>                      values_{};  // by address
+    std::array<smd::fault, 2>                           last_faults_{};
+    std::array<bool, 3>                                 inputs_{};
+    smd::fault                                          fault_ = smd::fault::no_fault;
+    seconds                                             since_trip_{0};
+    double                                              speed_               = 0;  // Hz, negative in reverse
+    double                                              analog_              = 0;  // Hz
+    smd::operational_status                             at_standstill_       = smd::operational_status::off;
+    smd::direction                                      commanded_direction_ = smd::direction::forward;
+    smd::speed_reference                                reference_           = smd::speed_reference::local;
+    std::uint8_t                                        address_             = 0;
+    smd::serial_format                                  format_              = smd::serial_format::format_8n2;
+    bool                                                is_terminal_28_closed_;
+    bool                                                is_started_      = false;
+    bool                                                is_ramping_down_ = false;  // after a time-out
+    bool                                                is_busy_         = false;
 };
 
 }  // namespace support

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <drivecodec/drives/smd/exception.hpp>
 #include <drivecodec/modbus.hpp>
 #include <drivecodec/text/drives/smd/parameters.hpp>
 
@@ -39,15 +40,15 @@ public:
     /// and note 1.
     [[nodiscard]] static std::string refusal(drivecodec::modbus::exception_code code)
     {
-        using enum drivecodec::modbus::exception_code;
-        switch (code) {
-        case illegal_function: return "command rejected: the drive is locked, or does not do this now";
-        case illegal_data_address: return "no such register";
-        case illegal_data_value: return "data out of range";
-        case server_device_failure: return "wrong data format, or several commands at once";
-        case server_device_busy: return "the drive is busy";
-        default: return {};
+        using enum drivecodec::smd::exception;
+        switch (drivecodec::smd::to_exception(code)) {
+        case command_rejected: return "command rejected: the drive is locked, or does not do this now";
+        case no_such_register: return "no such register";
+        case data_out_of_range: return "data out of range";
+        case wrong_data_format: return "wrong data format, or several commands at once";
+        case slave_device_busy: return "the drive is busy";
         }
+        return {};
     }
 
 private:

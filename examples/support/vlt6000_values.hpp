@@ -10,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -69,18 +68,6 @@ private:
         throw usage_error{"'" + name + "' is not a type such as word"};
     }
 };
-
-/// The command line was understood, but this value cannot be sent or shown so; `what()` tells the user why.
-struct value_error : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-[[nodiscard]] inline drivecodec::decimal to_decimal(std::string_view word)
-{
-    auto const value = drivecodec::parse_decimal(word);
-    if (not value) { throw value_error{"'" + std::string{word} + "' is not a number such as 41.2"}; }
-    return *value;
-}
 
 /// Is the value transferred as it is, because it is no quantity? A number without a unit, of which the manual prints the
 /// limits, counts something.
