@@ -25,6 +25,17 @@ constexpr register_table<5> table{
     row_of(21, raw_type::two_bytes, no_limits_unsigned, drives::access::write_only),
 };
 
+TEST(register_row, has_what_the_type_allows_where_nothing_is_said)
+{
+    constexpr register_row bare{.address = 1};
+    VERIFY(bare.name.empty() and bare.menu.empty() and bare.code.empty() and bare.choices.empty());
+    VERIFY(bare.type == raw_type::unsigned_number and bare.exponent == 0 and bare.unit == unit::none);
+    VERIFY(bare.scale_from == source::nobody and bare.limits.from == source::nobody);
+    VERIFY(bare.factory_setting.from == source::nobody and bare.access_from == source::nobody);
+    VERIFY(bare.access == drives::access::unknown and bare.is_readable() and bare.is_writable());
+    VERIFY(bare.check_write(0).ok() and bare.check_write(0xFFFF).ok());
+}
+
 TEST(register_row, reads_16_bits_as_its_type_says)
 {
     VERIFY(table[0].number(0xFFFF) == 65535 and table[1].number(0xFFFF) == -1 and table[2].number(0x8000) == 0x8000);

@@ -45,23 +45,24 @@ struct raw_default {
 };
 inline constexpr raw_default no_default{0, source::nobody};
 
-/// A register as the manual prints it. A physical value is the raw number x 10^exponent of its unit.
+/// A register as the manual prints it: what it does not print is left out. A physical value is the raw number x
+/// 10^exponent of its unit.
 struct register_row {
     std::uint16_t    address;
-    std::string_view name;
-    std::string_view menu;  ///< On the drive's display: "315", "512.2". Empty if it is in no menu.
-    std::string_view code;  ///< The drive's own short name: "CMD". Empty if it has none.
-    raw_type         type;
-    std::int8_t      exponent;
-    drivecodec::unit unit;
-    source           scale_from;  ///< Of type, exponent and unit.
-    raw_limits       limits;
-    raw_default      factory_setting;
-    drives::access   access;
-    source           access_from;
+    std::string_view name{};
+    std::string_view menu{};  ///< On the drive's display: "315", "512.2". Empty if it is in no menu.
+    std::string_view code{};  ///< The drive's own short name: "CMD". Empty if it has none.
+    raw_type         type            = raw_type::unsigned_number;
+    std::int8_t      exponent        = 0;
+    drivecodec::unit unit            = drivecodec::unit::none;
+    source           scale_from      = source::nobody;  ///< Of type, exponent and unit.
+    raw_limits       limits          = no_limits_unsigned;
+    raw_default      factory_setting = no_default;
+    drives::access   access          = drives::access::unknown;
+    source           access_from     = source::nobody;
 
-    /// Of an enumeration, or of bits of which only some may be sent: all that there are, within the limits. Empty for all
-    /// else.
+    /// Of an enumeration, or of bits of which only some may be sent: all that there are, within the limits. Empty for
+    /// all else.
     std::span<std::uint16_t const> choices{};
 
     [[nodiscard]] constexpr bool is_readable() const noexcept { return drives::is_readable(access); }

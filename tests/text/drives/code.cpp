@@ -27,3 +27,36 @@ TEST(text_code, is_a_name_or_else_a_number)
 }
 
 }  // namespace
+
+namespace somebodys {
+
+struct lamp {
+    bool is_on;
+};
+constexpr void write_text(drivecodec::text_writer& out, lamp given) noexcept
+{
+    out.put(given.is_on ? "on" : "off");
+}
+
+}  // namespace somebodys
+
+namespace {
+
+template <typename Value>
+std::string meaning_of(Value const& value)
+{
+    std::array<char, 20> room{};
+    text_writer          out{room};
+    drives::write_meaning(out, value);
+    return std::string{out.view()};
+}
+
+TEST(text_meaning, is_in_the_words_of_the_type_or_else_a_name_or_a_number)
+{
+    EXPECT_EQ(meaning_of(somebodys::lamp{true}), "on");
+    EXPECT_EQ(meaning_of(somebodys::lamp{false}), "off");
+    EXPECT_EQ(meaning_of(direction::forward), "forward");
+    EXPECT_EQ(meaning_of(direction{7}), "7");
+}
+
+}  // namespace

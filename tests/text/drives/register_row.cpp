@@ -54,6 +54,14 @@ TEST(text_register_row, writes_a_number_as_what_it_counts)
     VERIFY(reads(row(raw_type::signed_number, 0, unit::revolution_per_minute), 0xFA24, "-1500 rpm"));
 }
 
+TEST(text_register_row, writes_16_bits_of_a_register_that_no_table_has)
+{
+    std::array<char, 40> room{};
+    text_writer          out{room};
+    drives::write_unknown_register(out, 5000, 5000);
+    EXPECT_EQ(out.view(), "register 5000: 1388");
+}
+
 TEST(text_register_row, writes_each_unit_as_a_quantity_of_it)
 {
     std::array<char, 100> room{};

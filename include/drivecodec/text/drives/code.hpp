@@ -19,4 +19,15 @@ constexpr void write_code(text_writer& out, Enum code) noexcept
     }
 }
 
+/// A value in the words of its own `write_text`, or, if it has none, as `write_code` has it.
+template <typename Value>
+constexpr void write_meaning(text_writer& out, Value const& value) noexcept
+{
+    if constexpr (requires { write_text(out, value); }) {
+        write_text(out, value);
+    } else {
+        write_code(out, value);
+    }
+}
+
 }  // namespace drivecodec::drives

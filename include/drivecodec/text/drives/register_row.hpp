@@ -50,4 +50,10 @@ constexpr void write_value(text_writer& out, register_row const& row, std::uint1
     }
 }
 
+/// `register 5000: 1388`, of one that no table has.
+constexpr void write_unknown_register(text_writer& out, std::uint16_t address, std::uint16_t raw) noexcept
+{
+    out.put("register ").decimal(address).put(": ").hex(raw);
+}
+
 }  // namespace drivecodec::drives

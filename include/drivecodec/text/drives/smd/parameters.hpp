@@ -3,6 +3,7 @@
 
 #include <drivecodec/drives/smd/map.hpp>
 #include <drivecodec/drives/smd/parameters.hpp>
+#include <drivecodec/text/drives/code.hpp>
 #include <drivecodec/text/drives/register_row.hpp>
 #include <drivecodec/text/drives/smd/choices.hpp>
 #include <drivecodec/text/drives/smd/status_block.hpp>
@@ -19,23 +20,11 @@ struct register_value {
 
 namespace detail {
 
-/// The value as its own type has words for it: false if it has none but the table's.
-template <auto Register>
-[[nodiscard]] constexpr bool write_typed(text_writer& out, std::uint16_t raw) noexcept
-{
-    auto const value = Register.value(raw);
-    if constexpr (requires { write_text(out, value); }) {
-        write_text(out, value);
-    } else {
-        drives::write_code(out, value);
-    }
-    return true;
-}
-
+/// As the type of its own that a register has says it; false if it is none of these.
 template <auto... Registers>
 [[nodiscard]] constexpr bool write_one_of(text_writer& out, drives::register_row const& row, std::uint16_t raw) noexcept
 {
-    return ((row.name == Registers.row.name and write_typed<Registers>(out, raw)) or ...);
+    return ((row.name == Registers.row.name and (drives::write_meaning(out, Registers.value(raw)), true)) or ...);
 }
 
 /// Of the table alone, or of what has words of its own; which are the same in both versions.
@@ -66,10 +55,7 @@ constexpr void write_title(text_writer& out, drives::register_row const& row) no
 constexpr void write_text(text_writer& out, register_value given) noexcept
 {
     auto const* row = map{given.version}.find(given.address);
-    if (row == nullptr) {
-        out.put("register ").decimal(given.address).put(": ").hex(given.raw);
-        return;
-    }
+    if (row == nullptr) { return drives::write_unknown_register(out, given.address, given.raw); }
     write_title(out, *row);
     detail::write_value(out.put(' '), *row, given.raw);
 }

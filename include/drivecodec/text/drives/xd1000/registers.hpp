@@ -37,10 +37,7 @@ constexpr void write_text(text_writer& out, register_value given,
     if (given.address == cmd.address()) { return write_text(out, cmd.value(given.raw), present); }
     if (given.address == eta.address()) { return write_text(out, eta.value(given.raw)); }
     auto const* row = find(given.address);
-    if (row == nullptr) {
-        out.put("register ").decimal(given.address).put(": ").hex(given.raw);
-        return;
-    }
+    if (row == nullptr) { return drives::write_unknown_register(out, given.address, given.raw); }
     out.put(drives::title(*row)).put(' ');
     if (given.address == baud_rate_setting.address()) {
         drives::write_code(out, baud_rate_setting.value(given.raw));
