@@ -53,7 +53,7 @@ TEST(value, of_all_else_is_the_number_whatever_the_exponent)
         ASSERT_EQ(number_of(value_of<std::int32_t>(-number, 0), 0), result<std::int32_t>{-number});
     }
     VERIFY(number_of(colour::last, 0) == result<std::int32_t>{0xFFFF});
-    VERIFY(value_of<lamps>(0xFFFE, 0).raw == 0xFFFE);
+    VERIFY(value_of<lamps>(0xFFFE, 0).raw == 0xFFFE and value_of<lamps>(3, 0).test(lamps::red));
 }
 
 TEST(value, of_its_own_type)

@@ -20,9 +20,11 @@ enum class raw_type : std::uint8_t {
     text,       ///< ASCII, two characters a register.
 };
 
-/// Where a fact is from: of limits and factory settings, which stand there in any case. (A drive with one manual, in
-/// which most is not printed, has nothing there instead: `vlt6000::stated`. The checks of the one need no question, the
-/// rows of the other no numbers.)
+/// Where a fact is from.
+///
+/// Not the same as whether it is stated (`stated` of the VLT 6000): here every row has limits, if only those of its
+/// type, so that a check asks nothing, and another manual may have a fact; there, most of it is in no manual, and no
+/// number would be true.
 enum class source : std::uint8_t {
     manual,        ///< The drive's own manual says it.
     sister_drive,  ///< Only the manual of a drive of the same make says it: unverified.
