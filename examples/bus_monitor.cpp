@@ -148,12 +148,10 @@ int finish(support::bus_monitor const& monitor, bool is_json)
 class table_clock {
 public:
     table_clock(options const& chosen, support::bus_monitor const& monitor)
-        : monitor_{monitor}, redraws_{chosen.monitor.is_quiet and chosen.is_terminal and not chosen.monitor.json}
-    {
-        auto const seconds = chosen.every.value_or(redraws_ ? 1 : 0);
-        period_            = support::timestamp{seconds} * 1'000'000;
-        due_               = support::time_now() + (redraws_ ? 0 : period_);
-    }
+        : monitor_{monitor}, redraws_{chosen.monitor.is_quiet and chosen.is_terminal and not chosen.monitor.json},
+          period_{support::timestamp{chosen.every.value_or(redraws_ ? 1 : 0)} * 1'000'000},
+          due_{support::time_now() + (redraws_ ? 0 : period_)}
+    {}
 
     void look()
     {
@@ -171,8 +169,8 @@ public:
 private:
     support::bus_monitor const& monitor_;
     bool                        redraws_;
-    support::timestamp          period_ = 0;
-    support::timestamp          due_    = 0;
+    support::timestamp          period_;  // microseconds; 0: never
+    support::timestamp          due_;
 };
 
 //=== where it comes from ===//

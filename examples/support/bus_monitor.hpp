@@ -65,6 +65,12 @@ public:
     [[nodiscard]] bus_statistics const& statistics() const { return statistics_; }
     [[nodiscard]] bool                  has_written() const { return has_written_; }
 
+    /// Of the stream reader.
+    [[nodiscard]] drivecodec::stream_counters counters() const { return decoder_->counters(); }
+
+    /// In all that was shown.
+    [[nodiscard]] std::uint64_t shown_bytes() const { return shown_bytes_; }
+
     /// Nothing was dropped, and every request answered.
     [[nodiscard]] bool is_healthy() const
     {
@@ -94,7 +100,8 @@ private:
 
     void give(traffic_item const& item)
     {
-        auto const when  = arrivals_.take(item.size);
+        auto const when = arrivals_.take(item.size);
+        shown_bytes_ += item.size;
         auto const event = statistics_.add(item, when);
         if (chosen_.is_quiet) { return; }
         auto shown = when.begin;
@@ -150,6 +157,7 @@ private:
     arrival_times              arrivals_;
     bus_statistics             statistics_;
     std::optional<timestamp>   last_;
+    std::uint64_t              shown_bytes_ = 0;
     bool                       has_written_ = false;
     std::unique_ptr<decoder>   decoder_;
     timed_ear                  ear_;

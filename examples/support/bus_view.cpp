@@ -11,7 +11,7 @@ namespace support {
 namespace {
 
 namespace colour {
-constexpr std::string_view none    = "";
+constexpr std::string_view none;
 constexpr std::string_view bold    = "\033[1m";
 constexpr std::string_view dim     = "\033[2m";
 constexpr std::string_view red     = "\033[1;31m";

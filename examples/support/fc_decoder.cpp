@@ -12,9 +12,11 @@ namespace {
 
 namespace fc = drivecodec::fc;
 
+/// 0: all of them.
 [[nodiscard]] std::uint8_t slave_of(fc::address of)
 {
-    return of.is_broadcast() ? std::uint8_t{0} : of.is_reserved() ? of.byte() : of.number();
+    constexpr std::uint8_t reserved = 255;  // whichever it is: no slave has it
+    return of.is_broadcast() ? std::uint8_t{0} : of.is_reserved() ? reserved : of.number();
 }
 
 template <typename Layout>
