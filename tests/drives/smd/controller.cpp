@@ -414,6 +414,46 @@ TEST(smd_controller, ignores_what_answers_nothing)
     EXPECT_EQ(both.settle(), reached);
 }
 
+TEST(smd_controller, unlocks_once_for_several_goals)
+{
+    line both;
+    both.running().master.stop();
+    EXPECT_EQ(both.settle(), reached);
+    both.sent.clear();
+    ASSERT_TRUE(both.master.run(direction::forward, 41.2_Hz).ok());
+    EXPECT_EQ(both.settle(), reached);
+    EXPECT_EQ(both.sent, (wire{poll, serial_speed, speed_41_2, set_forward, poll, start, poll}));
+}
+
+TEST(smd_controller, does_not_take_terminal_28_for_a_time_out_that_is_over)
+{
+    line both;
+    both.running();
+    both.drive.locks.lock();
+    both.drive.is_running = false;
+    (void)both.once();
+    EXPECT_EQ(both.settle(), reached);
+    both.drive.open_terminal_28();
+    (void)both.once();
+    EXPECT_EQ(both.settle(), refused);
+    EXPECT_EQ(both.master.why(), refusal::inhibited);
+    EXPECT_EQ(both.drive.starts, 2);
+}
+
+TEST(smd_controller, sends_the_new_speed_though_the_old_one_is_outstanding)
+{
+    line both;
+    both.running();
+    ASSERT_TRUE(both.master.run(direction::forward, 20_Hz).ok());
+    auto const old = both.ask();
+    ASSERT_EQ(old.what, step::set_speed);
+    ASSERT_TRUE(both.master.run(direction::forward, 10_Hz).ok());
+    EXPECT_EQ(both.master.due_in(), 0);
+    EXPECT_EQ(both.master.answered(old.write), waiting);
+    EXPECT_EQ(both.settle(), reached);
+    EXPECT_EQ(both.drive.speed, 100);
+}
+
 //=== everything that can happen, at every step ===//
 
 TEST(smd_controller, gets_there_whatever_happens_once_at_any_step)
