@@ -110,6 +110,32 @@ TEST(smd_controller, runs_by_the_sequence_of_4_8)
     EXPECT_EQ(both.drive.starts, 1);
 }
 
+/// The steps that a drive is asked for which does all at once.
+constexpr std::array<step, 7> steps_to_run()
+{
+    controller   master;
+    status_block status{.operational_status = operational_status::stop, .control_mode = control_mode::c40_modbus};
+    std::array<step, 7> asked{};
+    (void)master.run(direction::forward, 41.2_Hz);
+    for (auto& what : asked) {
+        auto const now = master.next();
+        what           = now.what;
+        if (now.is_write()) {
+            (void)master.answered(now.write);
+        } else {
+            (void)master.answered(status);
+        }
+    }
+    return asked;
+}
+
+TEST(smd_controller, runs_at_compile_time)
+{
+    using enum step;
+    VERIFY(steps_to_run()
+           == std::array{poll_status, unlock, set_reference, set_speed, set_direction, poll_status, step::start});
+}
+
 TEST(smd_controller, sends_the_password_that_it_is_given)
 {
     line both{{.password = 123}};
