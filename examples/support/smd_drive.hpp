@@ -27,8 +27,8 @@ namespace smd    = drivecodec::smd;
 ///   02 is also for reading what can only be written, and the other way round; 03 also for a wrong quantity and for a
 ///   word of register 1 without a command; while the drive is busy, everything is 06.
 /// - The motor stays as it is when the drive is locked by command, and coasts when C01 takes control from Modbus.
-/// - At a standstill the drive is off; it is inhibited with terminal 28 open and after that time-out until it is told to start or stop, and in stop after a
-///   quick stop.
+/// - At a standstill the drive is off; inhibited with terminal 28 open, and after that time-out until it is told to start
+///   or to stop; and in stop after a quick stop.
 /// - A start with terminal 28 open, in fault or with another control source than Modbus is taken, and lost.
 /// - A ramp takes its time from standstill to C11. Only a quick stop ramps down, all other stops coast.
 /// - Loading defaults loads all of them, also C01: the drive then has no Modbus.
