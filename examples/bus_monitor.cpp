@@ -23,7 +23,7 @@
 namespace {
 
 constexpr auto usage =
-    R"(Shows what is said on a line of drives, with Modbus RTU or the FC protocol, and counts for each address. Only listens.
+    R"(Shows what is said on a line of drives, in Modbus RTU or the FC protocol, and counts by address. It only listens.
 
     bus_monitor [options] --device PATH    a serial device or pseudo-terminal, until Ctrl-C
     bus_monitor [options] [FILE]           a recorded file, or standard input: lines of hexadecimal; # begins a comment
@@ -52,8 +52,8 @@ Each line has the time in seconds, the address, who speaks, the time of the resp
     --  there was no reply   xx  bytes were dropped     <>  nothing tells whether it is a request
 
 The time of a response is from when the last bytes of the request were received until the first of the reply. Dropped
-bytes are counted for the slave that is to reply; else for the one whose address a damaged frame begins with, if that was
-heard before or is given; else for none.
+bytes are counted for the slave that is to reply; else for the one whose address a damaged frame begins with, if that
+was heard before or is given; else for none.
 
 A line of a recorded file is what was heard between two silences. A time may stand before the bytes, in seconds with six
 digits behind the point: `12.345678 01 03 00 6B 00 03 74 17`. Without it no times are shown.

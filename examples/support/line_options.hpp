@@ -72,9 +72,10 @@ struct line_options {
     [[nodiscard]] std::uint32_t silence_at(std::uint32_t baud_rate) const
     {
         constexpr std::uint32_t usb_latency = 20'000;
-        auto const              by_protocol = protocol == line_protocol::fc
-                                                  ? drivecodec::fc::timing::make(baud_rate)->silence()
-                                                  : drivecodec::modbus::rtu::timing::make(baud_rate, format)->inter_frame();
+        auto const              by_protocol = [&] {
+            if (protocol == line_protocol::fc) { return drivecodec::fc::timing::make(baud_rate)->silence(); }
+            return drivecodec::modbus::rtu::timing::make(baud_rate, format)->inter_frame();
+        }();
         return silence.value_or(std::max(by_protocol, usb_latency));
     }
 };

@@ -50,6 +50,7 @@ expect("every kind of thing that happens on a line" STATUS 1
                1.704    5 pump    xx              dropped 1 byte  bad_checksum: FF
                1.704    5 pump    <-     +4.0 ms  03 read_holding_registers  byte_count=2 registers=[258]  (found amid dropped
                                                   bytes)
+                                                  command_speed 25.8 Hz
                1.800    5 pump    <-              03 read_holding_registers  byte_count=2 registers=[258]  (no request heard)
                1.900  all         ->              06 write_single_register  register_address=24 value=1
                1.950    -         xx              dropped 2 bytes  bad_length: FF 00
