@@ -1,6 +1,6 @@
-#include <drivecodec/core/word.hpp>
 #include <drivecodec/drives/holding_register.hpp>
 
+#include "support/lamps.hpp"
 #include "support/verify.hpp"
 
 namespace {
@@ -8,11 +8,6 @@ namespace {
 using namespace drivecodec;
 using namespace drivecodec::drives;
 using namespace drivecodec::literals;
-
-struct lamps : word<lamps, std::uint16_t> {
-    static constexpr flag<lamps> red{0};
-};
-enum class colour : std::uint16_t { red = 1, green = 2 };
 
 constexpr register_row row_of(std::uint16_t address, raw_type type, int exponent, unit of, raw_limits limits,
                               drives::access may)

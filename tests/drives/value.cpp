@@ -1,7 +1,6 @@
 #include <drivecodec/drives/value.hpp>
 
-#include <drivecodec/core/word.hpp>
-
+#include "support/lamps.hpp"
 #include "support/verify.hpp"
 
 #include <array>
@@ -11,11 +10,6 @@ namespace {
 using namespace drivecodec;
 using namespace drivecodec::drives;
 using namespace drivecodec::literals;
-
-struct lamps : word<lamps, std::uint16_t> {
-    static constexpr flag<lamps> red{0};
-};
-enum class colour : std::uint16_t { red = 1, last = 0xFFFF };
 
 constexpr auto forty_hertz       = 40_Hz;
 constexpr auto forty_one_hertz   = 41.2_Hz;
