@@ -11,6 +11,7 @@
 #include <drivecodec/modbus/crc16/byte_table.hpp>
 #include <drivecodec/modbus/crc16/carryless.hpp>
 #include <drivecodec/modbus/crc16/nibble.hpp>
+#include <drivecodec/smd.hpp>
 #include <drivecodec/vlt6000.hpp>
 
 namespace {
@@ -20,6 +21,7 @@ using drivecodec::same_bytes;
 namespace cia402  = drivecodec::cia402;
 namespace fc      = drivecodec::fc;
 namespace vlt6000 = drivecodec::vlt6000;
+namespace smd     = drivecodec::smd;
 namespace modbus  = drivecodec::modbus;
 namespace crc16   = drivecodec::modbus::crc16;
 namespace rtu     = drivecodec::modbus::rtu;
@@ -394,6 +396,27 @@ void check_vlt6000() noexcept
     }
 }
 
+/// The status block and a parameter of the smd, and its controller up to the start.
+void check_smd() noexcept
+{
+    using hertz = drivecodec::quantity<drivecodec::unit::hertz>;
+
+    static constexpr std::array<std::uint16_t, 6> words{0x0201, 0x0201, 0x6406, 0x000A, 0x0600, 0x0000};
+    auto const                                    status = smd::status_block::from_words(words);
+    check(status.actual_speed == hertz{513, -1} and status.load.number == 100, "smd", "runs at 51.3 Hz, fully loaded");
+    auto const again = status.make_words();
+    check(again and again->words == words, "smd", "has the same six words again");
+
+    auto const map   = smd::map::make(opaque(std::uint16_t{507}));
+    auto const write = map ? map->make_write("C12", {50, -1}) : map.error();
+    check(write and write->address == 61 and write->value == 50, "smd", "has C12 at 61 in tenths of seconds");
+    check(not smd::map::make(opaque(std::uint16_t{401})), "smd", "writes nothing to an unknown version");
+
+    smd::controller control;
+    check(control.run(smd::direction::forward, opaque(hertz{412, -1})).ok(), "smd", "takes 41.2 Hz");
+    check(control.next().what != smd::step::start, "smd", "is not started first");
+}
+
 }  // namespace
 
 int main()
@@ -413,6 +436,7 @@ int main()
 
     check_fc();
     check_vlt6000();
+    check_smd();
 
     check_crc<crc16::bitwise>("bitwise");
     check_crc<crc16::nibble>("nibble");
