@@ -170,4 +170,41 @@ if bus_monitor --drive 2=xd1000 --drive 5=smd:pump "$scratch/recording"; then
     exit 1
 fi
 
+heading "an smd: unlocked, from standstill to 41.2 Hz, turned round, watched for its time-out, locked"
+line=$scratch/smd
+log=$scratch/smd_traffic
+printf '\n$ %s\n' "smd_simulator --address 5 --link $line --log $log &"
+smd_simulator --address 5 --link "$line" --log "$log" </dev/null >"$scratch/smd_states" &
+server=$!
+wait_for_line
+smd() {
+    show smd_control --device "$line" --address 5 "$@"
+}
+smd status
+show_refusal smd_control --device "$line" --address 5 set C12 0.5
+smd unlock
+smd set C12 0.5
+smd set C13 0.5
+smd start 41.2
+sleep 1
+smd status
+smd reverse
+sleep 1
+smd status
+smd set n23 0.5
+smd set n22 2
+show timeout --preserve-status -s INT 1 smd_control --device "$line" --address 5 watch
+sleep 1.5
+smd status
+show_refusal smd_control --device "$line" --address 5 forward
+show_refusal smd_control --device "$line" --address 5 start 60
+smd stop
+smd lock
+show_refusal smd_control --device "$line" --address 5 set C12 1000
+stop_server
+printf '\n%s\n' "what it went through:"
+cat "$scratch/smd_states"
+printf '\n$ %s\n' "decode --drive smd <$log"
+decode --drive smd <"$log"
+
 printf '\n%s\n' "everything worked"

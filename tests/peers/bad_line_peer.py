@@ -9,23 +9,14 @@ import time
 import support
 
 
-def with_crc(frame):
-    crc = 0xFFFF
-    for byte in frame:
-        crc ^= byte
-        for _ in range(8):
-            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
-    return bytes(frame) + crc.to_bytes(2, "little")
-
-
 def registers(address, *values):
     """A response of function 03."""
     data = b"".join(value.to_bytes(2, "big") for value in values)
-    return with_crc(bytes([address, 3, len(data)]) + data)
+    return support.with_crc(bytes([address, 3, len(data)]) + data)
 
 
 def client(program, checks):
-    request = with_crc(b"\x11\x03\x00\x6b\x00\x01")
+    request = support.with_crc(b"\x11\x03\x00\x6b\x00\x01")
     patient = ["--timeout", "3000"]
     read = ["read-holding", "107", "1"]
 
@@ -35,7 +26,7 @@ def client(program, checks):
     # Before the reply: noise, other servers' replies, replies to something else, a damaged one, a longer one.
     with asking(*patient, *read) as (process, line):
         checks.equal("request", line.receive(8), request)
-        line.send(b"\x00\xff\x11\x03", registers(18, 1), with_crc(b"\x11\x04\x02\x00\x02"), registers(17, 3, 3),
+        line.send(b"\x00\xff\x11\x03", registers(18, 1), support.with_crc(b"\x11\x04\x02\x00\x02"), registers(17, 3, 3),
                   registers(17, 4)[:-1] + b"\x00", registers(17, 5))
         checks.equal("the reply among others", support.finish(process), (0, "107: 5\n"))
 
@@ -68,7 +59,7 @@ def client(program, checks):
     # Exceptions: of this function, of another.
     with asking(*patient, *read) as (process, line):
         line.receive(8)
-        line.send(with_crc(b"\x11\x86\x02"), with_crc(b"\x11\x83\x06"))
+        line.send(support.with_crc(b"\x11\x86\x02"), support.with_crc(b"\x11\x83\x06"))
         checks.equal("exception", support.finish(process), (1, "exception 6 server_device_busy\n"))
 
     # An adapter that hears what it sends.
@@ -96,8 +87,8 @@ def server(program, checks):
             heard = line.receive(len(wanted)) if wanted else line.receive(1, 0.2)
             checks.equal(what, heard, wanted)
 
-        read = with_crc(b"\x11\x03\x00\x6b\x00\x01")
-        write = with_crc(b"\x11\x06\x00\x6b\x02\x2b")
+        read = support.with_crc(b"\x11\x03\x00\x6b\x00\x01")
+        write = support.with_crc(b"\x11\x06\x00\x6b\x02\x2b")
         expect("write", write, write)
         expect("read", registers(17, 555), read)
 
@@ -110,30 +101,30 @@ def server(program, checks):
         expect("byte by byte", registers(17, 555), *(bytes([byte]) for byte in read))
 
         # Others on the line: not answered, and a write to us within their reply is not carried out.
-        expect("another server's request", b"", with_crc(b"\x05\x03\x00\x00\x00\x04"))
-        inner = with_crc(b"\x11\x06\x00\x6b\x00\x00")
-        expect("its reply", b"", with_crc(b"\x05\x03\x08" + inner))
+        expect("another server's request", b"", support.with_crc(b"\x05\x03\x00\x00\x00\x04"))
+        inner = support.with_crc(b"\x11\x06\x00\x6b\x00\x00")
+        expect("its reply", b"", support.with_crc(b"\x05\x03\x08" + inner))
         expect("its damaged reply", b"", b"\x05\x03\x0a" + inner + b"\x00\x00\x00\x00")
         expect("the register is as it was", registers(17, 555), read)
 
         # Broadcasts: writes are carried out, nothing is answered.
-        expect("broadcast", b"", with_crc(b"\x00\x06\x00\x6b\x00\x07"))
-        expect("broadcast of a read", b"", with_crc(b"\x00\x03\x00\x6b\x00\x01"))
+        expect("broadcast", b"", support.with_crc(b"\x00\x06\x00\x6b\x00\x07"))
+        expect("broadcast of a read", b"", support.with_crc(b"\x00\x03\x00\x6b\x00\x01"))
         expect("what was broadcast", registers(17, 7), read)
 
         # Exceptions: function, address, quantity, value.
         for request, code in ((b"\x41", 1), (b"\x03\xff\xff\x00\x02", 2), (b"\x03\x00\xc7\x00\x02", 2),
                               (b"\x03\x00\x00\x00\x7e", 3), (b"\x05\x00\x00\x12\x34", 3), (b"\x08\x00\x05\x00\x00", 1)):
-            expect(f"exception of {request.hex()}", with_crc(bytes([0x11, request[0] | 0x80, code])),
-                   with_crc(b"\x11" + request))
+            expect(f"exception of {request.hex()}", support.with_crc(bytes([0x11, request[0] | 0x80, code])),
+                   support.with_crc(b"\x11" + request))
 
         # Listening only, until it is restarted; the restart is not answered.
-        expect("force listen only", b"", with_crc(b"\x11\x08\x00\x04\x00\x00"))
+        expect("force listen only", b"", support.with_crc(b"\x11\x08\x00\x04\x00\x00"))
         expect("listening only", b"", read)
-        expect("restart", b"", with_crc(b"\x11\x08\x00\x01\x00\x00"))
+        expect("restart", b"", support.with_crc(b"\x11\x08\x00\x01\x00\x00"))
         expect("after the restart", registers(17, 7), read)
-        expect("messages since the restart", with_crc(b"\x11\x08\x00\x0e\x00\x02"),
-               with_crc(b"\x11\x08\x00\x0e\x00\x00"))
+        expect("messages since the restart", support.with_crc(b"\x11\x08\x00\x0e\x00\x02"),
+               support.with_crc(b"\x11\x08\x00\x0e\x00\x00"))
         support.stop(process, checks)
 
 

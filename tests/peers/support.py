@@ -1,6 +1,7 @@
 """What the tests against other programs share."""
 import contextlib
 import os
+import random
 import select
 import signal
 import subprocess
@@ -160,6 +161,37 @@ def null_modem(carry_bytes=lambda heard: heard):
         bridge.join()
         for number in (wake, *ends[0], *ends[1]):
             os.close(number)
+
+
+def losses():
+    """For `null_modem`: a line that loses, doubles and damages."""
+    seed = random.SystemRandom().randrange(1 << 30)
+    print("seed", seed)
+    chance = random.Random(seed)
+
+    def carry(heard):
+        fate = chance.randrange(6)
+        if fate == 0:
+            return b""
+        if fate == 1:
+            return heard + heard
+        if fate == 2:
+            damaged = bytearray(heard)
+            damaged[chance.randrange(len(damaged))] ^= 1 << chance.randrange(8)
+            return bytes(damaged)
+        return heard
+
+    return carry
+
+
+def with_crc(frame):
+    """A Modbus RTU frame."""
+    crc = 0xFFFF
+    for byte in frame:
+        crc ^= byte
+        for _ in range(8):
+            crc = crc >> 1 ^ (0xA001 if crc & 1 else 0)
+    return bytes(frame) + crc.to_bytes(2, "little")
 
 
 def run(*command):

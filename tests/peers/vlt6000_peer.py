@@ -6,7 +6,6 @@ vlt6000_peer.py PATH/TO/vlt6000_simulator PATH/TO/vlt6000_control
 import functools
 import operator
 import os
-import random
 import signal
 import subprocess
 import sys
@@ -378,27 +377,11 @@ def control_with_a_slave_by_hand(program, checks):
 
 def control_on_a_bad_line(simulator_program, program, checks):
     """A line that loses, doubles and damages telegrams: every command succeeds, or says what went wrong."""
-    seed = random.SystemRandom().randrange(1 << 30)
-    print("seed", seed)
-    chance = random.Random(seed)
-
-    def carry(heard):
-        fate = chance.randrange(6)
-        if fate == 0:
-            return b""
-        if fate == 1:
-            return heard + heard
-        if fate == 2:
-            damaged = bytearray(heard)
-            damaged[chance.randrange(len(damaged))] ^= 1 << chance.randrange(8)
-            return bytes(damaged)
-        return heard
-
     succeeded = 0
     commands = [(("read", "206"), "206 ramp_up_time 10 s\n"), (("text", "621"), '621 unit_type "VLT 6006 HVAC"\n'),
                 (("write", "202", "60.0"), "202 output_frequency_high_limit 60.0 Hz\n"),
                 (("start", "10%"), "STW 0"), (("stop",), "STW 0")]
-    with support.null_modem(carry) as (near, far), \
+    with support.null_modem(support.losses()) as (near, far), \
             support.running([simulator_program, "--device", far], stdout=subprocess.DEVNULL):
         time.sleep(0.2)
         for command, wanted in 8 * commands:
