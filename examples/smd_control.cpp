@@ -118,9 +118,9 @@ private:
     static std::string text(modbus::exception_code given)
     {
         auto const meaning = support::smd_traffic::refusal(given);
-        auto const help    = given == modbus::exception_code::illegal_function ? "; unlock it first" : "";
+        auto const is_lock = given == modbus::exception_code::illegal_function;
         return "exception " + std::to_string(static_cast<unsigned>(given)) + (meaning.empty() ? "" : ": ") + meaning
-               + help;
+               + (is_lock ? "; unlock it first" : "");
     }
 };
 
@@ -321,11 +321,20 @@ int lock(drive& target, options const&, words_of_command const&)
     return say("locked");
 }
 
-template <smd::command Command>
-int give(drive& target, options const&, words_of_command const&)
+int give(drive& target, smd::write_single_register::request const& command)
 {
-    target.write(smd::drive_control.write(Command));
+    target.write(command);
     return say(text_of(target.status()));
+}
+
+int forward(drive& target, options const&, words_of_command const&)
+{
+    return give(target, smd::drive_control.write(smd::command::set_forward));
+}
+
+int reverse(drive& target, options const&, words_of_command const&)
+{
+    return give(target, smd::drive_control.write(smd::command::set_reverse));
 }
 
 //=== parameters ===//
@@ -439,16 +448,8 @@ struct command {
     std::size_t words = 0;  // that follow it
 };
 constexpr command commands[] = {
-    {"unlock", unlock},
-    {"start", start, 1},
-    {"stop", stop},
-    {"forward", give<smd::command::set_forward>},
-    {"reverse", give<smd::command::set_reverse>},
-    {"status", status},
-    {"get", get, 1},
-    {"set", set, 2},
-    {"lock", lock},
-    {"watch", watch},
+    {"unlock", unlock}, {"start", start, 1}, {"stop", stop},  {"forward", forward}, {"reverse", reverse},
+    {"status", status}, {"get", get, 1},     {"set", set, 2}, {"lock", lock},       {"watch", watch},
 };
 
 /// Before anything is sent: a command that is not understood whole is not carried out.
