@@ -147,29 +147,6 @@ cat "$scratch/vlt6000_states"
 printf '\n$ %s\n' "decode --request-first --drive vlt6000 <$log"
 decode --request-first --drive vlt6000 <"$log"
 
-heading "what a bus monitor makes of these recordings, and of one with a silence, a refusal and a damaged reply"
-show bus_monitor --drive 2=xd1000 --quiet "$scratch/drive_traffic"
-show bus_monitor --drive 1=vlt6000 --request-first --quiet "$scratch/vlt6000_traffic"
-cat >"$scratch/recording" <<'END'
-# seconds since the recorder was started, and what it heard
-100.000000 02 03 0C 1E 00 04 27 6C
-100.012345 02 03 08 00 28 02 58 01 F4 00 00 52 B0
-100.200000 02 06 23 29 00 0D 92 70
-100.208000 02 86 02 33 A1
-100.300000 07 03 00 18 00 01 04 6B
-101.500000 05 03 00 18 00 01 05 89
-101.508000 05 03 02 01 02 C9 55
-101.600000 05 03 00 18 00 01 05 89
-101.609500 05 03 02 01 02 C9 D5
-END
-printf '\n$ %s\n' "cat recording"
-cat "$scratch/recording"
-printf '\n$ %s\n' "bus_monitor --drive 2=xd1000 --drive 5=smd:pump recording"
-if bus_monitor --drive 2=xd1000 --drive 5=smd:pump "$scratch/recording"; then
-    echo "this line should not have been called healthy" >&2
-    exit 1
-fi
-
 heading "an smd: unlocked, from standstill to 41.2 Hz, turned round, watched for its time-out, locked"
 line=$scratch/smd
 log=$scratch/smd_traffic
@@ -206,5 +183,29 @@ printf '\n%s\n' "what it went through:"
 cat "$scratch/smd_states"
 printf '\n$ %s\n' "decode --drive smd <$log"
 decode --drive smd <"$log"
+
+heading "what a bus monitor makes of these recordings, and of one with a silence, a refusal and a damaged reply"
+show bus_monitor --drive 2=xd1000 --quiet "$scratch/drive_traffic"
+show bus_monitor --drive 1=vlt6000 --request-first --quiet "$scratch/vlt6000_traffic"
+show bus_monitor --drive 5=smd --quiet "$scratch/smd_traffic"
+cat >"$scratch/recording" <<'END'
+# seconds since the recorder was started, and what it heard
+100.000000 02 03 0C 1E 00 04 27 6C
+100.012345 02 03 08 00 28 02 58 01 F4 00 00 52 B0
+100.200000 02 06 23 29 00 0D 92 70
+100.208000 02 86 02 33 A1
+100.300000 07 03 00 18 00 01 04 6B
+101.500000 05 03 00 18 00 01 05 89
+101.508000 05 03 02 01 02 C9 55
+101.600000 05 03 00 18 00 01 05 89
+101.609500 05 03 02 01 02 C9 D5
+END
+printf '\n$ %s\n' "cat recording"
+cat "$scratch/recording"
+printf '\n$ %s\n' "bus_monitor --drive 2=xd1000 --drive 5=smd:pump recording"
+if bus_monitor --drive 2=xd1000 --drive 5=smd:pump "$scratch/recording"; then
+    echo "this line should not have been called healthy" >&2
+    exit 1
+fi
 
 printf '\n%s\n' "everything worked"
