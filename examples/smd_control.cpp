@@ -128,8 +128,8 @@ class drive {
 public:
     drive(support::client& line, smd::network_address address) : line_{&line}, address_{address} {}
 
-    /// The response, or the exception; nothing if there is neither. Throws a drive_error if the drive sends what it must
-    /// not. Views in it are valid until the next call.
+    /// The response, or the exception; nothing if there is neither. Throws a drive_error if the drive sends what it
+    /// must not. Views in it are valid until the next call.
     template <modbus::message Request>
     [[nodiscard]] auto try_to_ask(Request const& request)
     {

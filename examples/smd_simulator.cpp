@@ -5,8 +5,8 @@
 //     smd_simulator --address 5 --link /tmp/drive &
 //     smd_control --device /tmp/drive --address 5 start 41.2
 //
-// The first line it prints is the path of the device; then a line whenever its status or its locks change. What is typed
-// works the drive: `smd_simulator --help`. What the manual leaves open: support/smd_drive.hpp.
+// The first line it prints is the path of the device; then a line whenever its status or its locks change. What is
+// typed works the drive: `smd_simulator --help`. What the manual leaves open: support/smd_drive.hpp.
 #include "support/arguments.hpp"
 #include "support/line_server.hpp"
 #include "support/smd_drive.hpp"

@@ -23,12 +23,12 @@ namespace rtu    = modbus::rtu;
 namespace smd    = drivecodec::smd;
 
 /// What the manual leaves open, and what is done here:
-/// - Exception 01 is for any write while locked, also to a register that there is not, and for C02 while the motor is on.
-///   02 is also for reading what can only be written, and the other way round; 03 also for a wrong quantity and for a
+/// - Exception 01 is for any write while locked, also to a register that there is not, and for C02 while the motor is
+///   on. 02 is also for reading what can only be written, and the other way round; 03 also for a wrong quantity and for a
 ///   word of register 1 without a command; while the drive is busy, everything is 06.
 /// - The motor stays as it is when the drive is locked by command, and coasts when C01 takes control from Modbus.
-/// - At a standstill the drive is off; inhibited with terminal 28 open, and after that time-out until it is told to start
-///   or to stop; and in stop after a quick stop.
+/// - At a standstill the drive is off; inhibited with terminal 28 open, and after that time-out until it is told to
+///   start or to stop; and in stop after a quick stop.
 /// - A start with terminal 28 open, in fault or with another control source than Modbus is taken, and lost.
 /// - A ramp takes its time from standstill to C11. Only a quick stop ramps down, all other stops coast.
 /// - Loading defaults loads all of them, also C01: the drive then has no Modbus.
@@ -98,8 +98,8 @@ public:
     }
     void toggle_terminal_28() { set_terminal_28(not is_terminal_28_closed_); }
 
-    /// E1 to E3, by 0 to 2. They act by CE1 to CE3: fixed setpoints, DC braking, direction, quick stop, trip set and reset,
-    /// acceleration 2.
+    /// E1 to E3, by 0 to 2. They act by CE1 to CE3: fixed setpoints, DC braking, direction, quick stop, trip set and
+    /// reset, acceleration 2.
     void toggle_input(std::size_t which)
     {
         auto& is_high = inputs_.at(which);
