@@ -24,12 +24,12 @@ namespace smd    = drivecodec::smd;
 
 /// What the manual leaves open, and what is done here:
 /// - Exception 01 is for any write while locked, also to a register that there is not, and for C02 while the motor is
-///   on. 02 is also for reading what can only be written, and the other way round; 03 also for a wrong quantity and for a
-///   word of register 1 without a command; while the drive is busy, everything is 06.
+///   on. 02 is also for reading what can only be written, and the other way round; 03 also for a wrong quantity and for
+///   a word of register 1 without a command; while the drive is busy, everything is 06.
 /// - The motor stays as it is when the drive is locked by command, and coasts when C01 takes control from Modbus.
-/// - At a standstill the drive is off; inhibited with terminal 28 open, and after that time-out until it is told to
-///   start or to stop; and in stop after a quick stop.
-/// - A start with terminal 28 open, in fault or with another control source than Modbus is taken, and lost.
+/// - At a standstill the drive is off; inhibited with terminal 28 open, and after a time-out with n22 = 1 until it
+///   is told to start or to stop; and in stop after a quick stop.
+/// - A start with terminal 28 open or in fault is taken, and lost.
 /// - A ramp takes its time from standstill to C11. Only a quick stop ramps down, all other stops coast.
 /// - Loading defaults loads all of them, also C01: the drive then has no Modbus.
 /// - C09 and c25 are of the next time that the drive gets power.
