@@ -67,10 +67,9 @@ using value_is = std::type_identity<Value>;
 template <typename Number>
 [[nodiscard]] constexpr bool is_one_of(std::span<std::uint16_t const> codes, Number wanted) noexcept
 {
-    for (auto const code : codes) {
-        if (Number{code} == wanted) { return true; }
-    }
-    return false;
+    auto is_one = false;
+    for (auto const code : codes) { is_one = is_one or Number{code} == wanted; }
+    return is_one;
 }
 
 //=== why a constant is refused, in the compiler's text ===//

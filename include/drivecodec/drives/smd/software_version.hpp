@@ -7,7 +7,7 @@ namespace drivecodec::smd {
 
 /// What C99 holds: eight characters, "SMD 1.51". smd manual, section 6.2.
 struct software_version {
-    std::array<char, 2 * software_version_words> characters{};
+    std::array<char, 2 * std::size_t{software_version_words}> characters{};
 
     /// Errors: `bad_quantity` at 0 if they are not four words. The first character of two is the high byte, as of all
     /// registers; the manual has no example.

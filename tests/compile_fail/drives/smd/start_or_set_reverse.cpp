@@ -1,4 +1,4 @@
-// EXPECT: no match for .operator|invalid operands
+// EXPECT: no match for .*operator|invalid operands
 #include <drivecodec/drives/smd/command.hpp>
 
 using namespace drivecodec::smd;

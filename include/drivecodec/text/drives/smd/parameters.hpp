@@ -63,7 +63,7 @@ constexpr void write_text(text_writer& out, register_value given) noexcept
 /// `"SMD 1.51"`; what cannot be printed in hexadecimal.
 constexpr void write_text(text_writer& out, software_version const& version) noexcept
 {
-    std::array<std::uint8_t, 2 * software_version_words> characters{};
+    std::array<std::uint8_t, std::tuple_size_v<decltype(version.characters)>> characters{};
     for (std::size_t i = 0; i < characters.size(); ++i) {
         characters[i] = static_cast<std::uint8_t>(version.characters[i]);
     }
