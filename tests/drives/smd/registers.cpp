@@ -28,6 +28,13 @@ TEST(smd_manual, writes_412_for_41_2_hertz)
     VERIFY(smd::serial_speed_command.make_write(-0.1_Hz).error() == error{errc::out_of_range, 0});
 }
 
+// Table 6 ends every frame with CRCH CRCL and shows no number. Of these frames the checksums are CF45h and CCD9h.
+TEST(smd_manual, writes_the_checksum_high_byte_first_which_modbus_sends_low_byte_first)
+{
+    VERIFY(modbus::rtu::encode(1, smd::drive_status.read()) == "01 03 00 18 00 06 45 CF"_hex);
+    VERIFY(modbus::rtu::encode(1, smd::drive_control.write(smd::command::start)) == "01 06 00 01 00 08 D9 CC"_hex);
+}
+
 TEST(smd_manual, reads_0201_in_hexadecimal_as_51_3_hertz)
 {
     VERIFY(smd::command_speed.value(0x0201) == 51.3_Hz);
