@@ -18,6 +18,9 @@ void the_smd_has_an_address_between_1_and_247_and_takes_no_broadcast();
 inline constexpr std::uint32_t baud_rate = 9600;
 
 /// Parameter C09: a Modbus address, but not that of a broadcast, which the drive does not support.
+///
+/// `rtu::encode(rtu::broadcast, ...)` of a write to this drive compiles all the same, for the request is that of any
+/// Modbus device: other drives on the line may take it. This one does not, and nobody answers.
 class network_address {
 public:
     consteval network_address(int address) : server_{modbus::rtu::server_address::reserved(byte_of(address))}
