@@ -32,7 +32,8 @@ inline constexpr holding_register<29, fault_and_direction>  present_fault_and_co
 inline constexpr holding_register<30> motor_volts{};  ///< Percent of the nominal voltage of the drive.
 
 /// In tenths of a hertz, without a sign: registers and commands of direction are apart. The manual also calls it keypad
-/// speed. A constant is checked against 0 to 240.0 Hz, see `make_serial_speed`.
+/// speed. A constant is checked against 0 to 240.0 Hz, see `make_serial_speed`. The drive powers up with the speed that
+/// was written last; how often it can be written, the manual does not say.
 inline constexpr holding_register<40> serial_speed_command{};
 
 inline constexpr holding_register<48>                unlock_commands{};
