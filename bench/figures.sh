@@ -65,6 +65,15 @@ awk '$1 == "measured_decode_status_block" {
      }
      END { exit !found }' "$work/instructions" >>"$lines"
 
+sh bench/check_instructions.sh "$bench/bench.drives.smd.map_instructions" >"$work/instructions"
+awk '$1 ~ /^measured_find_by_/ {
+         what = substr($1, length("measured_find_") + 1)
+         gsub("_", " ", what)
+         printf "smd, find a parameter %s|%d instructions|at most 150|%s\n", what, $2, $2 <= 150 ? "ok" : "MISSED"
+         ++found
+     }
+     END { exit found != 2 }' "$work/instructions" >>"$lines"
+
 #=== times ===#
 
 # name,nanoseconds: the least of the repetitions.
