@@ -141,13 +141,13 @@ public:
         pending_ = {};
         at_once_ = false;
         switch (why) {
-        case exception::command_rejected: rejected(what); break;
-        case exception::no_such_register: give_up(progress::refused, refusal::no_such_register); break;
-        case exception::data_out_of_range: give_up(progress::refused, refusal::out_of_range); break;
-        case exception::wrong_data_format: give_up(progress::refused, refusal::wrong_format); break;
-        case exception::slave_device_busy: wait(refusal::busy); break;
-        default: give_up(progress::refused, refusal::unknown_exception); break;
+        case exception::command_rejected: rejected(what); return progress_;
+        case exception::no_such_register: give_up(progress::refused, refusal::no_such_register); return progress_;
+        case exception::data_out_of_range: give_up(progress::refused, refusal::out_of_range); return progress_;
+        case exception::wrong_data_format: give_up(progress::refused, refusal::wrong_format); return progress_;
+        case exception::slave_device_busy: wait(refusal::busy); return progress_;
         }
+        give_up(progress::refused, refusal::unknown_exception);
         return progress_;
     }
 
