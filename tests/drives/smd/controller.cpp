@@ -634,4 +634,41 @@ TEST(smd_controller, never_sends_several_bits)
     }
 }
 
+TEST(smd_controller, a_drive_that_ramps_down_to_a_stop_is_started_and_not_taken_for_a_running_one)
+{
+    using enum operational_status;
+    auto const status_of = [](operational_status now, quantity<unit::hertz> actual) {
+        status_block made;
+        made.command_speed      = {200, -1};
+        made.actual_speed       = actual;
+        made.operational_status = now;
+        made.control_mode       = control_mode::c40_modbus;
+        made.speed_reference    = speed_reference::serial;
+        return made;
+    };
+    controller control;
+    ASSERT_TRUE(control.run(direction::forward, {200, -1}).ok());
+    auto slows   = status_of(decel, {200, -1});
+    bool started = false;
+    for (int exchanges = 0; exchanges < 12 and not started; ++exchanges) {
+        control.pass(500'000);
+        auto const asked = control.next();
+        EXPECT_NE(control.progress(), progress::reached);
+        started = asked.what == step::start;
+        if (asked.is_write()) {
+            static_cast<void>(control.answered(asked.write));
+        } else {
+            static_cast<void>(control.answered(slows));
+            slows.actual_speed.number -= 10;
+        }
+    }
+    EXPECT_TRUE(started);
+    control.pass(500'000);
+    EXPECT_EQ(control.next().what, step::poll_status);
+    EXPECT_EQ(control.answered(slows), progress::waiting);  // it has not followed yet
+    control.pass(500'000);
+    EXPECT_EQ(control.next().what, step::poll_status);
+    EXPECT_EQ(control.answered(status_of(accel, {150, -1})), progress::reached);
+}
+
 }  // namespace

@@ -173,10 +173,19 @@ private:
 
     //=== of the status ===//
 
-    [[nodiscard]] constexpr bool is_powered() const noexcept  // and follows its reference
+    [[nodiscard]] constexpr bool is_powered() const noexcept
     {
         return status_.operational_status >= operational_status::run_at_0_hz
                and status_.operational_status <= operational_status::decel_override;
+    }
+    /// It runs, and not only down to a stop: slower, although it is no faster than commanded, is a drive that stops.
+    [[nodiscard]] constexpr bool is_following() const noexcept
+    {
+        auto const is_slowing = status_.operational_status == operational_status::decel
+                                or status_.operational_status == operational_status::decel_override;
+        auto const has_reason = status_.actual_speed > status_.command_speed
+                                or status_.actual_direction != status_.commanded_direction;
+        return is_powered() and (not is_slowing or has_reason);
     }
     [[nodiscard]] constexpr bool is_halted() const noexcept
     {
@@ -213,7 +222,7 @@ private:
 
     constexpr void look_running() noexcept
     {
-        auto const is_there = is_set_up() and is_powered() and modbus_controls(status_.control_mode)
+        auto const is_there = is_set_up() and is_following() and modbus_controls(status_.control_mode)
                               and status_.commanded_direction == way_
                               and status_.speed_reference == speed_reference::serial;
         if (given_up_ and not(is_there and (why_ == refusal::no_reply or why_ == refusal::not_followed))) { return; }
@@ -231,7 +240,7 @@ private:
         } else if (is_inhibited() and not unlocked_ and not was_locked_) {
             give_up(progress::refused, refusal::inhibited);
         } else {
-            if (is_set_up() and (is_powered() or is_about_to_run())) { started_ = true; }
+            if (is_set_up() and (is_following() or is_about_to_run())) { started_ = true; }
             checked_ = is_set_up() and not started_;
             if ((started_ and is_halted()) or (is_inhibited() and not was_locked_)) {
                 probing_   = true;
