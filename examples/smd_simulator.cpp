@@ -8,14 +8,12 @@
 // The first line it prints is the path of the device; then a line whenever its status or its locks change. What is
 // typed works the drive: `smd_simulator --help`. What the manual leaves open: support/smd_drive.hpp.
 #include "support/arguments.hpp"
+#include "support/keyboard.hpp"
 #include "support/line_server.hpp"
 #include "support/smd_drive.hpp"
 #include "support/smd_line.hpp"
 
 #include <drivecodec/text/drives/smd/parameters.hpp>
-
-#include <poll.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -69,17 +67,7 @@ private:
 
     void read_keys()
     {
-        pollfd keyboard{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-        char   key = 0;
-        while (has_keyboard_ and poll(&keyboard, 1, 0) > 0) {
-            has_keyboard_ = read(STDIN_FILENO, &key, 1) == 1;
-            if (not has_keyboard_) { return; }
-            if (key == '\n') {
-                obey(std::exchange(typed_, {}));
-            } else {
-                typed_ += key;
-            }
-        }
+        while (auto const line = keyboard_.next()) { obey(*line); }
     }
 
     void obey(std::string const& line)
@@ -143,8 +131,7 @@ private:
     smd::serial_format format_;
     clock::time_point  last_ = clock::now();
     std::string        told_;
-    std::string        typed_;
-    bool               has_keyboard_ = true;
+    support::keyboard  keyboard_;
 };
 
 //=== the command line ===//

@@ -9,13 +9,11 @@
 // display changes. What is typed works the drive: `vlt6000_simulator --help`.
 #include "support/arguments.hpp"
 #include "support/fc_line.hpp"
+#include "support/keyboard.hpp"
 #include "support/line_server.hpp"
 #include "support/vlt6000_drive.hpp"
 
 #include <drivecodec/text/drives/vlt6000/words.hpp>
-
-#include <poll.h>
-#include <unistd.h>
 
 #include <array>
 #include <chrono>
@@ -86,18 +84,7 @@ private:
 
     void read_keys()
     {
-        pollfd keyboard{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-        char   key = 0;
-        while (has_keyboard_ and poll(&keyboard, 1, 0) > 0) {
-            has_keyboard_ = read(STDIN_FILENO, &key, 1) == 1;
-            if (not has_keyboard_) { return; }
-            if (key == '\n') {
-                obey(typed_);
-                typed_.clear();
-            } else {
-                typed_ += key;
-            }
-        }
+        while (auto const line = keyboard_.next()) { obey(*line); }
     }
 
     void obey(std::string const& line)
@@ -151,8 +138,7 @@ private:
     vlt6000::status_word       told_status_{};
     std::array<bool, 2>        told_relays_{};
     std::array<std::string, 2> told_lines_{};
-    std::string                typed_;
-    bool                       has_keyboard_ = true;
+    support::keyboard          keyboard_;
 };
 
 //=== the command line ===//

@@ -8,14 +8,12 @@
 // The first line it prints is the path of the device; then a line whenever its state changes. Keys, each with Enter: f
 // for a fault, s for the STOP key, l for local and remote. SIGUSR1 is a fault too. It ends with Ctrl-C.
 #include "support/arguments.hpp"
+#include "support/keyboard.hpp"
 #include "support/line_server.hpp"
 #include "support/rtu_line.hpp"
 #include "support/xd1000_drive.hpp"
 
 #include <drivecodec/text/cia402.hpp>
-
-#include <poll.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -65,14 +63,12 @@ private:
 
     void read_keys()
     {
-        pollfd keyboard{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-        char   key = 0;
-        while (has_keyboard_ and poll(&keyboard, 1, 0) > 0) {
-            has_keyboard_ = read(STDIN_FILENO, &key, 1) == 1;
-            if (not has_keyboard_) { return; }
-            if (key == 'f') { drive_.fault(); }
-            if (key == 's') { drive_.press_stop(); }
-            if (key == 'l') { drive_.toggle_local(); }
+        while (auto const line = keyboard_.next()) {
+            for (auto const key : *line) {
+                if (key == 'f') { drive_.fault(); }
+                if (key == 's') { drive_.press_stop(); }
+                if (key == 'l') { drive_.toggle_local(); }
+            }
         }
     }
 
@@ -85,9 +81,9 @@ private:
 
     rtu::server_address       own_;
     support::xd1000_drive     drive_;
-    clock::time_point         last_         = clock::now();
-    drivecodec::cia402::state told_         = drivecodec::cia402::state::not_ready_to_switch_on;
-    bool                      has_keyboard_ = true;
+    clock::time_point         last_ = clock::now();
+    drivecodec::cia402::state told_ = drivecodec::cia402::state::not_ready_to_switch_on;
+    support::keyboard         keyboard_;
 };
 
 //=== the command line ===//
@@ -134,18 +130,17 @@ int main(int argc, char** argv)
     action.sa_handler = [](int) { fault_signal = 1; };
     sigaction(SIGUSR1, &action, nullptr);
     try {
-        auto const           given = parse({argc, argv});
-        line_drive           drive{given.address, given.drive};
-        line_server          server{given.line, given.address};
-        constexpr auto       idle = 10'000;  // microseconds: how often the motor's speed is reckoned anew
+        auto const     given = parse({argc, argv});
+        line_drive     drive{given.address, given.drive};
+        line_server    server{given.line, given.address};
+        constexpr auto idle = 10'000;  // microseconds: how often the motor's speed is reckoned anew
         server.run(drive, idle);
         return 0;
     } catch (support::help_wanted) {
         std::cout << usage << line_options::usage() << '\n';
         return 0;
     } catch (support::usage_error const& fault) {
-        std::cerr << "xd1000_simulator: " << fault.what() << '\n'
-                  << usage << line_options::usage() << '\n';
+        std::cerr << "xd1000_simulator: " << fault.what() << '\n' << usage << line_options::usage() << '\n';
     } catch (std::exception const& fault) {
         std::cerr << "xd1000_simulator: " << fault.what() << '\n';
     }
