@@ -307,7 +307,7 @@ int unlock(drive& target, options const& given, words_of_command const&)
         if (fault.code != modbus::exception_code::illegal_function) { throw; }
         throw drive_error{"the drive is not unlocked with this --password"};
     }
-    return say(has_control ? "unlocked" : "parameters unlocked");
+    return say(has_control ? "control unlocked; parameters too, if the password is C94" : "parameters unlocked");
 }
 
 int lock(drive& target, options const&, words_of_command const&)

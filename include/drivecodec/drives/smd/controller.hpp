@@ -14,6 +14,7 @@ namespace drivecodec::smd {
 ///
 /// - The drive starts once for each goal, after unlocking, reference, speed, direction, and a status that allows it. It
 ///   starts again only if it has not heard the first, or after it locked itself (exception 01), as it does at a time-out.
+/// - A drive that slows down although it is no faster than commanded does not run, it stops: it is started.
 /// - A drive that ran and stands still is told its speed once more: exception 01 shows that it locked itself. Else
 ///   somebody stopped it, and it stays stopped.
 /// - A goal to run that ended in `refused` or `faulted` only polls; to try again, set a goal. One that follows late, after
